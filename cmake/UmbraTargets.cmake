@@ -1,0 +1,45 @@
+# What every target of ours shares: the include root, warnings, sanitizers and embedded texts.
+include_guard()
+
+add_library(umbra_options INTERFACE)
+target_include_directories(umbra_options INTERFACE ${CMAKE_SOURCE_DIR})
+target_compile_options(umbra_options INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wno-missing-field-initializers
+  $<$<BOOL:${UMBRA_WARNINGS_ARE_ERRORS}>:-Werror>
+  $<$<BOOL:${UMBRA_SANITIZE}>:-fsanitize=address,undefined -fno-omit-frame-pointer>)
+target_link_options(umbra_options INTERFACE
+  $<$<BOOL:${UMBRA_SANITIZE}>:-fsanitize=address,undefined>)
+
+# One object library per layer. Its sources are every .cpp of the calling folder but the tests
+# (*Test.cpp), so that adding a file edits no list.
+function(umbra_layer name)
+  file(GLOB sources CONFIGURE_DEPENDS *.cpp *.h)
+  list(FILTER sources EXCLUDE REGEX "Test\\.cpp$")
+  add_library(${name} OBJECT ${sources})
+  target_link_libraries(${name} PUBLIC umbra_options ${ARGN})
+endfunction()
+
+# Every *Test.cpp of the calling folder, as one GoogleTest program whose cases CTest lists.
+function(umbra_unit_tests name)
+  file(GLOB sources CONFIGURE_DEPENDS *Test.cpp)
+  if(sources)
+    add_executable(${name} ${sources})
+    target_link_libraries(${name} PRIVATE umbra_options GTest::gtest_main ${ARGN})
+    gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60)
+  endif()
+endfunction()
+
+# Makes texts (.glsl, .md) of the calling folder available as C++ string constants:
+# Blur.glsl becomes `extern const char* Blur_glsl;` in "Blur_glsl.h", included without a path.
+function(umbra_embed target)
+  foreach(file IN LISTS ARGN)
+    get_filename_component(stem ${file} NAME)
+    string(MAKE_C_IDENTIFIER ${stem} identifier)
+    vtk_encode_string(INPUT ${CMAKE_CURRENT_SOURCE_DIR}/${file} NAME ${identifier}
+                      HEADER_OUTPUT header SOURCE_OUTPUT source)
+    target_sources(${target} PRIVATE ${source} ${header})
+  endforeach()
+  target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
+endfunction()
+
+find_package(GTest REQUIRED)
+include(GoogleTest)

@@ -1,0 +1,30 @@
+// Depth maps and channels in OpenEXR files.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "filters/core/Image.h"
+
+namespace umbra {
+
+// The channel `channel` ("" is Z, else the only one) of `file`, values taken from [near, far] to
+// [0, 1] in double. Float or half, tiled or scan lines; deep files are refused. Throws BadInput
+// that names the file and what is wrong: the channels that there are, or the texel of a value that
+// is not finite or outside the range.
+DepthMap readDepthFile(const std::filesystem::path& file, const std::string& channel = "",
+                       double near = 0.0, double far = 1.0);
+
+// `path:CHANNEL` split at the last colon that follows ".exr"; the channel may be absent.
+std::pair<std::filesystem::path, std::string> splitDepthArgument(const std::string& argument);
+
+enum class ExrPixel { Half, Float };
+
+// One part, one image per channel name, ZIP-compressed. `attributes` become string attributes.
+// Throws BadOutput; nothing half-written.
+void writeExr(const std::filesystem::path& file, const std::map<std::string, Image<float>>& channels,
+              const std::map<std::string, std::string>& attributes, ExrPixel pixel = ExrPixel::Float);
+
+}  // namespace umbra

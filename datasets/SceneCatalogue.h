@@ -1,0 +1,31 @@
+// The scenes that the program brings, procedural or read from installed models.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "filters/core/Scene.h"
+
+namespace umbra {
+
+// What a scene lets one adjust, such as the depths of three-planes.
+struct SceneParameter {
+  std::string name;  // kebab-case
+  std::string doc;
+  double low = 0.0, high = 1.0, value = 0.5;
+};
+
+struct SceneInfo {
+  std::string name, title, description, figure;
+  std::vector<SceneParameter> parameters;
+  std::string missing;  // why it cannot be opened here: the package that would bring it; else ""
+};
+
+std::vector<SceneInfo> sceneCatalogue();
+
+// Deterministic: same name and parameters, same vertices. Throws BadInput for an unknown name
+// (with the nearest one), an unknown parameter, a value out of range, or a missing package.
+Scene makeScene(const std::string& name, const std::map<std::string, double>& parameters = {});
+
+}  // namespace umbra

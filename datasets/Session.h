@@ -1,0 +1,60 @@
+// Everything that a person can set, as one plain value. The window, the command line and the
+// session file all edit it; the same session gives the same picture in the window and without one.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "filters/core/FrameSettings.h"
+#include "filters/core/Light.h"
+#include "filters/core/Parameters.h"
+#include "filters/core/Scene.h"
+#include "filters/core/TechniqueCatalogue.h"
+
+namespace umbra {
+
+enum class SourceKind { Catalogue, MeshFile, DepthFile };
+
+struct SceneSource {
+  SourceKind kind = SourceKind::Catalogue;
+  std::string name = "tree-bench";  // of the catalogue, or a path
+  std::string channel;              // DepthFile: "" is Z, else the only one
+  double depthNear = 0.0, depthFar = 1.0;    // DepthFile: the values that become 0 and 1
+  std::map<std::string, double> parameters;  // Catalogue: what the scene lets one adjust
+
+  bool operator==(const SceneSource&) const = default;
+};
+
+struct Pixel {
+  int x = 0, y = 0;  // of the frame, or texel of a depth file; y down, from 0
+
+  bool operator==(const Pixel&) const = default;
+};
+
+// Values that differ from the defaults, by technique and parameter.
+using TechniqueParameters = std::map<std::string, std::map<std::string, ParameterValue>>;
+
+struct Session {
+  SceneSource source;
+  std::optional<Light> light;    // the scene's own where not set
+  std::optional<Camera> camera;  // likewise
+  FrameSettings frame;
+  std::string technique = "vsm";
+  TechniqueParameters parameters;
+  int width = 1280, height = 720;  // of a rendered picture, pixels
+  std::optional<Pixel> probe;
+  std::optional<double> receiver;  // probe on a depth file: z_r; in the window, one dragged by hand
+
+  bool operator==(const Session&) const = default;
+};
+
+// The technique `id` with the session's parameters, limited to the session's storage format.
+// `notices` receives a sentence for each value that was limited. Throws BadInput for a parameter
+// that does not exist or a value out of range.
+std::unique_ptr<Technique> techniqueOf(const Session& session, const TechniqueCatalogue& catalogue,
+                                       const std::string& id,
+                                       std::vector<std::string>* notices = nullptr);
+
+}  // namespace umbra

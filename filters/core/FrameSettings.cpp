@@ -1,0 +1,51 @@
+#include "filters/core/FrameSettings.h"
+
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "filters/core/Error.h"
+#include "filters/core/Text.h"
+
+namespace umbra {
+namespace {
+
+constexpr std::pair<ReadFilter, std::string_view> readFilters[] = {
+    {ReadFilter::Point, "point"}, {ReadFilter::Bilinear, "bilinear"}};
+
+constexpr std::pair<ViewMode, std::string_view> viewModes[] = {
+    {ViewMode::Shaded, "shaded"}, {ViewMode::Visibility, "visibility"}, {ViewMode::Error, "error"},
+    {ViewMode::Depth, "depth"},   {ViewMode::Layers, "layers"}};
+
+template <class E>
+std::string_view nameIn(std::span<const std::pair<E, std::string_view>> table, E value) {
+  for (const auto& [candidate, name] : table)
+    if (candidate == value) return name;
+  return "";
+}
+
+template <class E>
+E valueIn(std::span<const std::pair<E, std::string_view>> table, std::string_view name,
+          const std::string& what) {
+  std::vector<std::string> names;
+  for (const auto& [value, candidate] : table) {
+    if (candidate == name) return value;
+    names.emplace_back(candidate);
+  }
+  throw Error(ErrorKind::BadCommandLine,
+              what + ": '" + std::string(name) + "' is none of " + joined(names));
+}
+
+}  // namespace
+
+std::string_view nameOf(ReadFilter read) { return nameIn<ReadFilter>(readFilters, read); }
+std::string_view nameOf(ViewMode view) { return nameIn<ViewMode>(viewModes, view); }
+
+ReadFilter readFilterFrom(std::string_view name) {
+  return valueIn<ReadFilter>(readFilters, name, "filter");
+}
+
+ViewMode viewModeFrom(std::string_view name) { return valueIn<ViewMode>(viewModes, name, "view"); }
+
+}  // namespace umbra

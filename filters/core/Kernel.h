@@ -1,0 +1,35 @@
+// The prefilter's kernel: square, separable, (2r+1)² taps.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace umbra {
+
+enum class KernelShape { None, Box, Gaussian };
+
+struct Kernel {
+  static constexpr int largestRadius = 64;
+
+  KernelShape shape = KernelShape::Box;
+  int radius = 3;      // texels, 0 … largestRadius; None counts as 0
+  double sigma = 0.0;  // texels; 0 means radius / 2, the default
+
+  int effectiveRadius() const { return shape == KernelShape::None ? 0 : radius; }
+  double effectiveSigma() const { return sigma > 0.0 ? sigma : radius / 2.0; }
+
+  // The weights along one axis: 2r+1 values, symmetric, sum 1. The Gaussian is sampled at texel
+  // centres and normalised over its support.
+  std::vector<double> weights() const;
+
+  bool operator==(const Kernel&) const = default;
+};
+
+std::string_view nameOf(KernelShape shape);
+// Throws BadCommandLine for a name that is not "none", "box" or "gaussian".
+KernelShape kernelShapeFrom(std::string_view name);
+// For labels: "box 7×7", "Gaussian 7×7, σ 1.5", "no prefilter".
+std::string describe(const Kernel& kernel);
+
+}  // namespace umbra

@@ -1,0 +1,38 @@
+// The reference prefilter: channels of a whole map encoded, stored and reduced, in double.
+#pragma once
+
+#include <span>
+
+#include "filters/core/Image.h"
+#include "filters/core/Kernel.h"
+#include "filters/core/Region.h"
+#include "filters/core/Technique.h"
+
+namespace umbra {
+
+// Every texel through Technique::encode, rounded to `format`. As many channels as the technique.
+Image<double> encodeMap(const DepthMap& map, const Technique& technique, StorageFormat format);
+
+// Each channel reduced over the kernel's window, edge texels repeated. Means are weighted by the
+// kernel; minima and maxima ignore its weights. The cost per texel does not grow with the radius
+// for box, min and max (running sums; Gil & Werman 1993). The result is not rounded.
+Image<double> reduceMap(const Image<double>& channels, std::span<const Channel> layout,
+                        const Kernel& kernel);
+
+// `channels` rounded to `format`, each within its own range.
+void storeMap(Image<double>& channels, std::span<const Channel> layout, StorageFormat format);
+
+// What the technique stores after the prefilter: encoded, stored, reduced, stored.
+Image<double> prefilteredMap(const DepthMap& map, const Technique& technique, const Kernel& kernel,
+                             StorageFormat format);
+
+// The same for one texel only, straight from the taps of its region (regionAtTexel).
+std::vector<double> prefilteredRegion(const Region& region, const Technique& technique,
+                                      StorageFormat format);
+
+// A bilinear read of the prefiltered map at (u, v) in [0,1] from the top-left corner: the four
+// nearest stored texels mixed, minima and maxima as well, as a texture unit does it.
+std::vector<double> readBilinear(const DepthMap& map, const Technique& technique,
+                                 const Kernel& kernel, StorageFormat format, double u, double v);
+
+}  // namespace umbra

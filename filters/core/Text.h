@@ -1,0 +1,23 @@
+// Numbers and lists as people read them.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace umbra {
+
+// Four significant digits, no trailing zeros: 0.2264, 1e-06, 12.
+std::string shortNumber(double value);
+
+// "a, b, c"
+std::string joined(std::span<const std::string> parts, std::string_view separator = ", ");
+
+// "a:b:c" split at `separator`; an empty text gives no parts.
+std::vector<std::string> split(std::string_view text, char separator);
+
+// The candidate nearest to a mistyped `word`, or "" when none is near.
+std::string nearestWord(std::string_view word, std::span<const std::string> candidates);
+
+}  // namespace umbra

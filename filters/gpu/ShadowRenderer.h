@@ -1,0 +1,82 @@
+// Draws a scene with filtered shadows into a VTK window, and hands out what each stage made. It
+// redoes only what changed: moving the camera bakes nothing.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "filters/core/FrameSettings.h"
+#include "filters/core/Image.h"
+#include "filters/core/Light.h"
+#include "filters/core/Scene.h"
+#include "filters/core/Technique.h"
+
+class vtkRenderer;
+class vtkRenderWindow;
+
+namespace umbra {
+
+enum class BakeStage { Encoded, Prefiltered };
+
+// What the shaded frame knows of one pixel.
+struct SurfacePoint {
+  double u = 0.0, v = 0.0;  // in the shadow map, [0,1] from the top-left corner, v down
+  double receiver = 0.0;    // z_r, biased, [0,1]
+  double visibility = 1.0;  // as the GPU computed it
+  bool facesLight = true;   // false: turned away from the light, which adds nothing there
+  Eigen::Vector3d world{0.0, 0.0, 0.0};
+};
+
+// GPU time of one pass of the last frame; passes that had nothing to do are absent.
+struct PassTime {
+  std::string pass;  // "depth", "encode", "prefilter", "shade", "view"
+  double milliseconds = 0.0;
+};
+
+class ShadowRenderer {
+ public:
+  // `window` must outlive the renderer. Adds a vtkRenderer to it.
+  explicit ShadowRenderer(vtkRenderWindow& window);
+  ~ShadowRenderer();
+  ShadowRenderer(const ShadowRenderer&) = delete;
+  ShadowRenderer& operator=(const ShadowRenderer&) = delete;
+
+  void setScene(std::shared_ptr<const Scene> scene);  // keeps light and camera
+  void setLight(const Light& light);
+  void setCamera(const Camera& camera);
+  void setFrame(const FrameSettings& settings);
+  void setTechnique(const Technique& technique);  // copies it, adapts the copy to each depth map
+
+  // The camera as an interactor may have moved it.
+  Camera camera() const;
+  // For interactors and for drawing over the scene; its actors from outside cast no shadow.
+  vtkRenderer& renderer();
+  LightFrame lightFrame() const;
+
+  // Bakes what changed and draws. Throws NoOpenGL or WorkFailed.
+  void render();
+
+  // Read-backs of the last frame and bake. Pixel (0, 0) is the top-left one.
+  Image<std::uint8_t> colour();  // RGB, as shown
+  // Four channels: u, v, z_r, visibility. u < 0 where there is no surface; z_r is negated where
+  // the surface faces away from the light, and (u, v) leave [0,1] outside the light's frame.
+  Image<float> surfaces();
+  std::optional<SurfacePoint> surfaceAt(int x, int y);
+  // Exact percentage-closer filtering of every pixel of the last frame over the region that the
+  // frame's read averages; 1 where there is no surface. One channel.
+  Image<float> reference();
+  // Read back once per bake.
+  const DepthMap& depthMap();
+  Image<float> channels(BakeStage stage);  // of the technique, interleaved in its order
+
+  std::vector<PassTime> passTimes() const;
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace umbra

@@ -1,0 +1,34 @@
+// Variance shadow maps (Donnelly & Lauritzen 2006; Lauritzen 2008, chapter 3).
+#pragma once
+
+#include "filters/core/Technique.h"
+
+namespace umbra::vsm {
+
+struct VsmParameters {
+  double minVariance = 1e-6;
+  double bleedReduction = 0.0;
+
+  static constexpr auto fields() {
+    using P = VsmParameters;
+    return std::tuple{
+        Field<P, double>{&P::minVariance, "min-variance", "σ²min", "depth²", 1e-12, 1e-2,
+                         "Smallest variance that the bound uses; hides rounding, blurs contacts.",
+                         Scale::Logarithmic},
+        Field<P, double>{&P::bleedReduction, "bleed-reduction", "a", "", 0.0, 0.99,
+                         "Visibilities up to a become 0, the rest is stretched; darkens penumbrae."},
+    };
+  }
+};
+
+class Vsm final : public TechniqueWith<Vsm, VsmParameters> {
+ public:
+  const TechniqueInfo& info() const override;
+  std::vector<Channel> channels() const override { return {{"M1"}, {"M2"}}; }
+  void encode(double z, std::span<double> channels) const override;
+  double visibility(const Fetch& fetch, double receiver) const override;
+  std::string_view glsl() const override;
+  std::string_view page() const override;
+};
+
+}  // namespace umbra::vsm
