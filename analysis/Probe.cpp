@@ -1,0 +1,126 @@
+#include "analysis/Probe.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "filters/core/Prefilter.h"
+
+namespace umbra {
+namespace {
+
+TechniqueResult resultOf(std::shared_ptr<const Technique> technique, const ProbeRequest& request,
+                         const Probe& probe) {
+  TechniqueResult result;
+  result.channels = request.read.filter == ReadFilter::Bilinear
+                        ? readBilinear(request.map, *technique, request.kernel, request.format,
+                                       request.read.u, request.read.v)
+                        : prefilteredRegion(probe.region, *technique, request.format);
+  result.visibility = technique->visibility({result.channels, probe.region}, probe.receiver);
+  result.error = result.visibility - probe.reference;
+  result.technique = std::move(technique);
+  return result;
+}
+
+Region regionOf(const ProbeRequest& request) {
+  const ReadPoint& read = request.read;
+  if (read.filter == ReadFilter::Bilinear)
+    return regionBilinear(request.map, request.kernel, read.u, read.v);
+  // The last texel's far edge belongs to it.
+  const int x = std::min(int(std::floor(read.u * request.map.width())), request.map.width() - 1);
+  const int y = std::min(int(std::floor(read.v * request.map.height())), request.map.height() - 1);
+  return regionAtTexel(request.map, request.kernel, x, y);
+}
+
+// The region's texels as (depth, weight), nearest to the light first.
+std::vector<std::pair<double, double>> sortedByDepth(const Region& region) {
+  std::vector<std::pair<double, double>> sorted;
+  sorted.reserve(region.texels.size());
+  for (const RegionTexel& texel : region.texels) sorted.emplace_back(texel.depth, texel.weight);
+  std::sort(sorted.begin(), sorted.end());
+  return sorted;
+}
+
+// Σ w [z ≥ d] at every depth of `depths` (ascending) by one walk over the sorted texels.
+std::vector<double> referenceCurve(const Region& region, const std::vector<double>& depths) {
+  const auto sorted = sortedByDepth(region);
+  // Summed from the far end, so that behind the last texel the sum is exactly 0.
+  std::vector<double> atOrBehind(sorted.size() + 1, 0.0);
+  for (std::size_t i = sorted.size(); i-- > 0;)
+    atOrBehind[i] = atOrBehind[i + 1] + sorted[i].second;
+  std::vector<double> curve;
+  curve.reserve(depths.size());
+  std::size_t blocking = 0;
+  for (double depth : depths) {
+    while (blocking < sorted.size() && sorted[blocking].first < depth) ++blocking;
+    // With nothing in front every weight counts, however their sum was rounded.
+    curve.push_back(blocking == 0 ? 1.0 : std::min(atOrBehind[blocking], 1.0));
+  }
+  return curve;
+}
+
+}  // namespace
+
+ReadPoint ReadPoint::atTexel(const DepthMap& map, int x, int y) {
+  return {ReadFilter::Point, (x + 0.5) / map.width(), (y + 0.5) / map.height()};
+}
+
+Probe takeProbe(const ProbeRequest& request) {
+  Probe probe;
+  probe.region = regionOf(request);
+  probe.receiver = request.receiver;
+  probe.statistics = statisticsOf(probe.region);
+  probe.reference = referenceVisibility(probe.region, probe.receiver);
+  for (const auto& technique : request.techniques)
+    probe.techniques.push_back(resultOf(technique, request, probe));
+  return probe;
+}
+
+Histogram histogramOf(const Region& region, int bins) {
+  const RegionStatistics s = statisticsOf(region);
+  if (s.min == s.max) return {{s.min, s.max}, {1.0}};
+  Histogram histogram;
+  for (int i = 0; i <= bins; ++i)
+    histogram.edges.push_back(std::lerp(s.min, s.max, double(i) / bins));
+  histogram.weights.assign(bins, 0.0);
+  const auto inner = std::pair(histogram.edges.begin() + 1, histogram.edges.end() - 1);
+  for (const RegionTexel& texel : region.texels) {
+    // By the edges themselves, so that rounding never puts a depth outside the bin it is drawn in;
+    // the last bin is closed.
+    const auto bin = std::upper_bound(inner.first, inner.second, texel.depth) - inner.first;
+    histogram.weights[bin] += texel.weight;
+  }
+  return histogram;
+}
+
+EmpiricalCdf empiricalCdfOf(const Region& region) {
+  EmpiricalCdf cdf;
+  double sum = 0.0;
+  for (const auto& [depth, weight] : sortedByDepth(region)) {
+    sum += weight;
+    if (cdf.depth.empty() || cdf.depth.back() != depth) {
+      cdf.depth.push_back(depth);
+      cdf.cumulative.push_back(sum);
+    } else {
+      cdf.cumulative.back() = sum;
+    }
+  }
+  if (!cdf.cumulative.empty()) cdf.cumulative.back() = 1.0;  // whatever the sum was rounded to
+  return cdf;
+}
+
+Curves curvesOf(const Probe& probe, int samples) {
+  Curves curves;
+  curves.depth.reserve(samples);
+  for (int i = 0; i < samples; ++i)
+    curves.depth.push_back(samples > 1 ? double(i) / (samples - 1) : 0.0);
+  curves.reference = referenceCurve(probe.region, curves.depth);
+  for (const TechniqueResult& result : probe.techniques) {
+    std::vector<double>& curve = curves.techniques.emplace_back();
+    curve.reserve(samples);
+    const Fetch fetch{result.channels, probe.region};
+    for (double depth : curves.depth) curve.push_back(result.technique->visibility(fetch, depth));
+  }
+  return curves;
+}
+
+}  // namespace umbra

@@ -1,0 +1,197 @@
+#include "analysis/ProbePlots.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+
+#include "filters/core/Text.h"
+
+namespace umbra {
+namespace {
+
+constexpr std::string_view meanColour = "#52606d";
+constexpr std::string_view extremeColour = "#9aa5b1";
+constexpr std::string_view powerColour = "#7b4fa3";      // Gumbau's fit
+constexpr std::string_view chebyshevColour = "#2563c9";  // Lauritzen's bound
+constexpr double thin = 1.2, normal = 2.0, thick = 2.8;  // points
+
+// Three decimals are a plot's resolution; a fixed number of them keeps labels from jumping.
+std::string fixed3(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.3f", value);
+  return buffer;
+}
+
+std::string signed3(double value) {
+  char buffer[40];
+  std::snprintf(buffer, sizeof buffer, "%s%.3f", value < 0.0 ? "−" : "+", std::abs(value));
+  return buffer;
+}
+
+std::string counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+std::string depthLabel() {
+  return "light-space depth z (normalised)";
+}
+
+PlotMarker receiverMarker(const Probe& probe) {
+  return {MarkerAxis::Vertical, probe.receiver, "receiver z = " + fixed3(probe.receiver),
+          std::string(probeColour), true};
+}
+
+// Nothing is drawn for an error that the plot could not show.
+void addError(Plot& plot, double x, double from, double to, const std::string& label) {
+  if (std::abs(to - from) < 5e-4) return;
+  plot.errors.push_back({x, from, to, label, std::string(errorColour)});
+}
+
+std::string errorLabel(double error) {
+  return (error > 0.0 ? "bleeding " : "over-darkening ") + signed3(error);
+}
+
+PlotRange unitRange() {
+  return {0.0, 1.0};
+}
+
+// z_r and the region's depths with air on both sides, within [0,1]: for plots of F(z), whose
+// curves are flat outside.
+PlotRange rangeAround(const Probe& probe) {
+  const double low = std::min(probe.statistics.min, probe.receiver);
+  const double high = std::max(probe.statistics.max, probe.receiver);
+  const double air = std::max(0.08 * (high - low), 0.01);
+  return {std::max(0.0, low - air), std::min(1.0, high + air)};
+}
+
+PlotSeries sampled(std::string name, std::string_view colour, PlotRange range,
+                   const std::function<double(double)>& function) {
+  PlotSeries series{std::move(name), std::string(colour)};
+  constexpr int samples = 401;
+  for (int i = 0; i < samples; ++i) {
+    series.x.push_back(std::lerp(range.low, range.high, double(i) / (samples - 1)));
+    series.y.push_back(function(series.x.back()));
+  }
+  return series;
+}
+
+// Gumbau 2011, eq. 2: t^β with t = (z − min) / (max − min). In the limits of β, and where the
+// region has one depth, it is a step.
+double powerCdf(const RegionStatistics& s, double z) {
+  if (z >= s.max) return 1.0;
+  if (z <= s.min || std::isinf(s.beta)) return 0.0;
+  return std::pow((z - s.min) / (s.max - s.min), s.beta);
+}
+
+// Lauritzen 2008, eq. 3.3: at least 1 − p_max of the region lies in front of z.
+double chebyshevCdf(const RegionStatistics& s, double z) {
+  if (z <= s.mean) return 0.0;
+  const double distance = z - s.mean;
+  return distance * distance / (s.variance + distance * distance);
+}
+
+}  // namespace
+
+Plot histogramPlot(const Probe& probe, int bins) {
+  const RegionStatistics& s = probe.statistics;
+  Histogram histogram = histogramOf(probe.region, bins);
+  Plot plot{.name = "histogram",
+            .title = "Depths in the region · " + counted(probe.region.texels.size(), "texel")};
+  if (s.min < s.max) {
+    plot.title += " · " + counted(histogram.weights.size(), "bin");
+  } else {
+    plot.title += " · one depth, z = " + fixed3(s.min);
+    // A bin without width could not be seen; this one is as wide as the plot's narrowest.
+    histogram.edges = {s.min - 0.005, s.max + 0.005};
+  }
+  plot.xLabel = depthLabel();
+  plot.yLabel = "share of weight";
+  plot.xRange = unitRange();
+  const double highest = *std::max_element(histogram.weights.begin(), histogram.weights.end());
+  plot.yRange = PlotRange{0.0, std::min(1.0, 1.25 * highest)};
+  plot.series.push_back({"depths", std::string(depthColour), SeriesStyle::Bars, histogram.edges,
+                         histogram.weights, thin});
+
+  const auto mark = [&](double position, const std::string& label, std::string_view colour) {
+    plot.markers.push_back({MarkerAxis::Vertical, position, label, std::string(colour), true});
+  };
+  if (s.min < s.max) {
+    mark(s.min, "min", extremeColour);
+    mark(s.mean, "mean μ", meanColour);
+    // Where Lauritzen expects the second occluder (§4.1.3).
+    mark(s.mean + std::sqrt(s.variance), "μ + σ", extremeColour);
+    mark(s.max, "max", extremeColour);
+  }
+  mark(probe.receiver, "receiver", probeColour);
+  return plot;
+}
+
+Plot curvesPlot(const Probe& probe, std::string_view selected, int samples) {
+  const Curves curves = curvesOf(probe, samples);
+  Plot plot{.name = "curves",
+            .title = "Visibility of the region, every technique",
+            .xLabel = depthLabel(),
+            .yLabel = "visibility v(z)",
+            .xRange = unitRange(),
+            .yRange = PlotRange{0.0, 1.05}};
+  plot.series.push_back({"exact", std::string(referenceColour), SeriesStyle::Line, curves.depth,
+                         curves.reference, normal});
+  std::optional<PlotSeries> emphasised;
+  for (std::size_t i = 0; i < probe.techniques.size(); ++i) {
+    const TechniqueResult& result = probe.techniques[i];
+    const TechniqueInfo& info = result.technique->info();
+    PlotSeries series{std::string(info.title), std::string(info.colour),
+                      SeriesStyle::Line,       curves.depth,
+                      curves.techniques[i],    thin};
+    if (info.id != selected) {
+      plot.series.push_back(std::move(series));
+      continue;
+    }
+    series.lineWidth = thick;
+    emphasised = std::move(series);
+    addError(plot, probe.receiver, probe.reference, result.visibility, errorLabel(result.error));
+  }
+  // Last, so that it lies on top of the others.
+  if (emphasised) plot.series.push_back(std::move(*emphasised));
+  plot.markers.push_back(receiverMarker(probe));
+  return plot;
+}
+
+Plot cdfPlot(const Probe& probe) {
+  const RegionStatistics& s = probe.statistics;
+  const PlotRange range = rangeAround(probe);
+  Plot plot{.name = "cdf",
+            .title = "Share of the region in front of a depth",
+            .xLabel = depthLabel(),
+            .yLabel = "F(z)",
+            .xRange = range,
+            .yRange = PlotRange{0.0, 1.05}};
+
+  const EmpiricalCdf cdf = empiricalCdfOf(probe.region);
+  PlotSeries exact{"exact", std::string(referenceColour), SeriesStyle::Steps};
+  exact.lineWidth = normal;
+  exact.x.push_back(range.low);
+  exact.y.push_back(0.0);
+  exact.x.insert(exact.x.end(), cdf.depth.begin(), cdf.depth.end());
+  exact.y.insert(exact.y.end(), cdf.cumulative.begin(), cdf.cumulative.end());
+  exact.x.push_back(range.high);
+  exact.y.push_back(1.0);
+  plot.series.push_back(std::move(exact));
+
+  const std::string beta = std::isinf(s.beta) ? "∞" : shortNumber(s.beta);
+  const std::string chebyshev = "Chebyshev 1 − p_max";
+  plot.series.push_back(sampled("power CDF t^β, β = " + beta, powerColour, range,
+                                [&](double z) { return powerCdf(s, z); }));
+  plot.series.push_back(
+      sampled(chebyshev, chebyshevColour, range, [&](double z) { return chebyshevCdf(s, z); }));
+
+  // What blocks lies strictly in front: F just before z_r.
+  const double blocked = 1.0 - probe.reference;
+  const double bound = chebyshevCdf(s, probe.receiver);
+  addError(plot, probe.receiver, blocked, bound, "error " + signed3(blocked - bound));
+  plot.markers.push_back(receiverMarker(probe));
+  return plot;
+}
+
+}  // namespace umbra
