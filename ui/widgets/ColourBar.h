@@ -1,0 +1,34 @@
+// A horizontal scalar bar with ticks: what the colours of a picture mean.
+#pragma once
+
+#include <QWidget>
+
+#include "filters/core/FrameSettings.h"
+#include "ui/widgets/ColourMap.h"
+
+namespace umbra {
+
+class ColourBar : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ColourBar(QWidget* parent = nullptr);
+
+  void setScale(ColourMap map, double low, double high, const QString& label);
+  // The bar of a view mode: visibility grey 0 … 1, error diverging −1 … +1, depth 0 … 1. Hides
+  // itself for modes whose colours are no scale.
+  void setViewMode(ViewMode mode);
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  ColourMap map_ = ColourMap::Grey;
+  double low_ = 0.0, high_ = 1.0;
+  QString label_;
+};
+
+}  // namespace umbra

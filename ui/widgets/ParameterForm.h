@@ -1,0 +1,49 @@
+// The parameters of one technique, built from its field table.
+#pragma once
+
+#include <QMetaType>
+#include <memory>
+#include <vector>
+
+#include "filters/core/Technique.h"
+#include "ui/widgets/Card.h"
+
+class QLabel;
+
+namespace umbra {
+
+class ParameterRow;
+
+class ParameterForm : public Card {
+  Q_OBJECT
+
+ public:
+  explicit ParameterForm(QWidget* parent = nullptr);
+  ~ParameterForm() override;
+
+  // Shows the technique's values; emits nothing. For the technique that is already shown the rows
+  // stay and only their values follow, so that a drag is not interrupted.
+  void setTechnique(const Technique& technique);
+
+  // Sentences below the form, such as what Technique::limitTo returned; empty hides them.
+  void setNotices(const QStringList& notices);
+
+ signals:
+  // A value within range, at once, while a slider moves too.
+  void parameterChanged(const QString& name, const umbra::ParameterValue& value);
+  // A slider was let go or a box was left: the next change is a new step for undo.
+  void editingFinished(const QString& name);
+
+ private:
+  void rebuild();
+
+  std::unique_ptr<Technique> shown_;  // a copy that the rows read
+  std::vector<ParameterRow*> rows_;
+  QLabel* empty_;
+  QLabel* notices_;
+  QLabel* source_;  // formula and citation
+};
+
+}  // namespace umbra
+
+Q_DECLARE_METATYPE(umbra::ParameterValue)

@@ -1,0 +1,59 @@
+// One plot in a card, with what a person may do with it: read values, copy, save, drag z_r.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "analysis/Plot.h"
+#include "ui/widgets/Card.h"
+
+class QLabel;
+class QStackedLayout;
+class QwtPlot;
+
+namespace umbra {
+
+class PlotPane : public Card {
+  Q_OBJECT
+
+ public:
+  explicit PlotPane(const QString& title = {}, QWidget* parent = nullptr);
+
+  // The card's title becomes the plot's.
+  void setPlot(const Plot& plot);
+  // No plot: `hint` says how to get one.
+  void clear(const QString& hint);
+  const std::optional<Plot>& plot() const { return plot_; }
+  QwtPlot* canvas() { return widget_; }
+
+  // By extension: .svg, .pdf, .png or .csv. Throws BadOutput; BadCommandLine for another one.
+  void save(const std::filesystem::path& file) const;
+
+ public slots:
+  void copy() const;  // the picture to the clipboard
+  void saveAs();      // asks for the file
+
+ signals:
+  // The receiver's marker (a vertical one in probeColour) is dragged to this x, in [0,1].
+  void depthDragged(double depth);
+  void depthDragFinished();
+  // One line for the status bar after saveAs: that it is done, or why not.
+  void message(const QString& text);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+
+ private:
+  std::optional<double> markerPixel() const;  // of the receiver, across the plot's canvas
+  double depthAt(int pixel) const;
+  void hover(const QPoint& pixel);
+
+  QwtPlot* widget_;
+  QLabel* hint_;
+  QStackedLayout* pages_;
+  std::optional<Plot> plot_;
+  bool dragging_ = false;
+};
+
+}  // namespace umbra

@@ -1,0 +1,45 @@
+// What every technique makes of the probed region, and how far that is from the truth.
+#pragma once
+
+#include "analysis/Probe.h"
+#include "ui/widgets/Card.h"
+
+class QTableView;
+
+namespace umbra {
+
+class ProbeTableModel;
+
+class ProbeTable : public Card {
+  Q_OBJECT
+
+ public:
+  explicit ProbeTable(QWidget* parent = nullptr);
+
+  // One row per technique of the probe, in its order; `selected` is an id.
+  void setProbe(const Probe& probe, const QString& selected);
+  void setSelected(const QString& id);
+  void clear();
+
+  // Tab separated with a header line, numbers in full precision; for spreadsheets.
+  QString asText() const;
+  QTableView* view() { return view_; }
+
+ public slots:
+  void copy() const;  // asText to the clipboard
+
+ signals:
+  // By click or arrow key, never by setSelected.
+  void techniqueChosen(const QString& id);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void arrangeColumns();
+
+  ProbeTableModel* model_;
+  QTableView* view_;
+};
+
+}  // namespace umbra

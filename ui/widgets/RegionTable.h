@@ -1,0 +1,35 @@
+// The statistics of the probed region.
+#pragma once
+
+#include <QVector>
+
+#include "analysis/Probe.h"
+#include "ui/widgets/Card.h"
+
+class QLabel;
+
+namespace umbra {
+
+class RegionTable : public Card {
+  Q_OBJECT
+
+ public:
+  explicit RegionTable(QWidget* parent = nullptr);
+
+  void setProbe(const Probe& probe);
+  void clear();
+
+  // "label\tfigure", a line each.
+  QString asText() const;
+
+ private:
+  struct Row {
+    QLabel* label;
+    QLabel* figure;
+  };
+  void set(int row, const QString& figure);
+
+  QVector<Row> rows_;
+};
+
+}  // namespace umbra
