@@ -24,7 +24,9 @@ enum class ExrPixel { Half, Float };
 
 // One part, one image per channel name, ZIP-compressed. `attributes` become string attributes.
 // Throws BadOutput; nothing half-written.
-void writeExr(const std::filesystem::path& file, const std::map<std::string, Image<float>>& channels,
-              const std::map<std::string, std::string>& attributes, ExrPixel pixel = ExrPixel::Float);
+void writeExr(const std::filesystem::path& file,
+              const std::map<std::string, Image<float>>& channels,
+              const std::map<std::string, std::string>& attributes,
+              ExrPixel pixel = ExrPixel::Float);
 
 }  // namespace umbra

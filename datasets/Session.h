@@ -19,8 +19,8 @@ enum class SourceKind { Catalogue, MeshFile, DepthFile };
 
 struct SceneSource {
   SourceKind kind = SourceKind::Catalogue;
-  std::string name = "tree-bench";  // of the catalogue, or a path
-  std::string channel;              // DepthFile: "" is Z, else the only one
+  std::string name = "tree-bench";           // of the catalogue, or a path
+  std::string channel;                       // DepthFile: "" is Z, else the only one
   double depthNear = 0.0, depthFar = 1.0;    // DepthFile: the values that become 0 and 1
   std::map<std::string, double> parameters;  // Catalogue: what the scene lets one adjust
 

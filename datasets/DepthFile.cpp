@@ -1,0 +1,159 @@
+#include "datasets/DepthFile.h"
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputPart.h>
+#include <ImfMultiPartInputFile.h>
+#include <ImfOutputFile.h>
+#include <ImfPartType.h>
+#include <ImfStringAttribute.h>
+#include <ImfVersion.h>
+#include <half.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "filters/core/AtomicFile.h"
+#include "filters/core/Error.h"
+#include "filters/core/Text.h"
+
+namespace umbra {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A shadow map of this size a side takes 2 GB in double; a header that promises more is damaged.
+constexpr int largestSide = 16384;
+
+[[noreturn]] void refuse(const fs::path& file, const std::string& what) {
+  throw Error(ErrorKind::BadInput, file.string() + ": " + what);
+}
+
+std::vector<std::string> channelNames(const Imf::Header& header) {
+  std::vector<std::string> names;
+  for (auto c = header.channels().begin(); c != header.channels().end(); ++c)
+    names.emplace_back(c.name());
+  return names;
+}
+
+std::string channelToRead(const fs::path& file, const Imf::Header& header,
+                          const std::string& wanted) {
+  const std::vector<std::string> names = channelNames(header);
+  const auto has = [&](const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  std::string name = wanted.empty() ? "Z" : wanted;
+  if (wanted.empty() && !has(name) && names.size() == 1) name = names.front();
+  if (!has(name))
+    refuse(file, "there is no channel '" + name + "'; there are " + joined(names) +
+                     (wanted.empty() ? ": name one as FILE.exr:CHANNEL" : ""));
+  const Imf::Channel& channel = header.channels()[name.c_str()];
+  if (channel.type == Imf::UINT)
+    refuse(file, "channel '" + name + "' holds whole numbers; a depth is half or float");
+  if (channel.xSampling != 1 || channel.ySampling != 1)
+    refuse(file, "channel '" + name + "' is subsampled; a depth has one value per pixel");
+  return name;
+}
+
+Image<float> readChannel(const fs::path& file, const std::string& wanted) {
+  Imf::MultiPartInputFile input(file.c_str());
+  const bool several = input.parts() > 1;
+  for (int part = 0; part < input.parts(); ++part)
+    if (input.header(part).hasType() && Imf::isDeepData(input.header(part).type()))
+      refuse(file, "is a deep file; a depth map has one value per pixel");
+  if (several) refuse(file, "has several parts; a depth map is one");
+  const Imf::Header& header = input.header(0);
+  const std::string channel = channelToRead(file, header, wanted);
+  const Imath::Box2i window = header.dataWindow();
+  const int width = window.max.x - window.min.x + 1, height = window.max.y - window.min.y + 1;
+  Image<float> image(width, height);
+  // OpenEXR addresses pixels from the data window's origin, wherever it lies.
+  Imf::FrameBuffer frame;
+  frame.insert(channel, Imf::Slice::Make(Imf::FLOAT, image.values().data(), window));
+  Imf::InputPart part(input, 0);
+  part.setFrameBuffer(frame);
+  part.readPixels(window.min.y, window.max.y);
+  return image;
+}
+
+std::string rangeText(double near, double far) {
+  return "from " + shortNumber(near) + " to " + shortNumber(far);
+}
+
+}  // namespace
+
+DepthMap readDepthFile(const fs::path& file, const std::string& channel, double near, double far) {
+  if (!std::isfinite(near) || !std::isfinite(far) || near == far)
+    refuse(file, "the depth range " + rangeText(near, far) + " is empty; near and far must differ");
+  std::error_code problem;
+  if (!fs::is_regular_file(file, problem)) refuse(file, "there is no such file");
+  Image<float> image;
+  try {
+    // Checked by OpenEXR before it allocates anything; it is a setting of the whole process.
+    Imf::Header::setMaxImageSize(largestSide, largestSide);
+    image = readChannel(file, channel);
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& error) {
+    std::string what = error.what();
+    std::replace(what.begin(), what.end(), '\n', ' ');
+    refuse(file, "cannot be read as OpenEXR: " + what);
+  }
+  DepthMap map(image.width(), image.height());
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      const double value = image(x, y), z = (value - near) / (far - near);
+      if (!(z >= 0.0 && z <= 1.0))
+        refuse(file, "texel " + std::to_string(x) + "," + std::to_string(y) + " is " +
+                         shortNumber(value) + "; depths are finite numbers " +
+                         rangeText(near, far));
+      map(x, y) = z;
+    }
+  return map;
+}
+
+std::pair<fs::path, std::string> splitDepthArgument(const std::string& argument) {
+  const std::size_t colon = argument.rfind(':');
+  if (colon == std::string::npos || colon < 4) return {argument, ""};
+  std::string extension = argument.substr(colon - 4, 4);
+  for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
+  if (extension != ".exr") return {argument, ""};
+  return {argument.substr(0, colon), argument.substr(colon + 1)};
+}
+
+void writeExr(const fs::path& file, const std::map<std::string, Image<float>>& channels,
+              const std::map<std::string, std::string>& attributes, ExrPixel pixel) {
+  if (channels.empty()) throw Error(ErrorKind::BadOutput, file.string() + ": has no channel");
+  const Image<float>& first = channels.begin()->second;
+  Imf::Header header(first.width(), first.height());
+  header.compression() = Imf::ZIP_COMPRESSION;
+  for (const auto& [name, text] : attributes) header.insert(name, Imf::StringAttribute(text));
+  const Imf::PixelType type = pixel == ExrPixel::Half ? Imf::HALF : Imf::FLOAT;
+  std::vector<Image<half>> halves;  // what the frame buffer points into
+  halves.reserve(channels.size());
+  Imf::FrameBuffer frame;
+  for (const auto& [name, image] : channels) {
+    if (image.width() != first.width() || image.height() != first.height() || image.channels() != 1)
+      throw Error(ErrorKind::BadOutput,
+                  file.string() + ": channel '" + name + "' differs in size from the others");
+    header.channels().insert(name, Imf::Channel(type));
+    const char* data = reinterpret_cast<const char*>(image.values().data());
+    std::size_t stride = sizeof(float);
+    if (pixel == ExrPixel::Half) {
+      Image<half>& rounded = halves.emplace_back(image.width(), image.height());
+      std::copy(image.values().begin(), image.values().end(), rounded.values().begin());
+      data = reinterpret_cast<const char*>(rounded.values().data());
+      stride = sizeof(half);
+    }
+    // The library only reads through the pointer when it writes a file.
+    frame.insert(name, Imf::Slice(type, const_cast<char*>(data), stride, stride * first.width()));
+  }
+  writeAtomically(file, [&](const fs::path& temporary) {
+    Imf::OutputFile output(temporary.c_str(), header);
+    output.setFrameBuffer(frame);
+    output.writePixels(first.height());
+  });
+}
+
+}  // namespace umbra

@@ -1,0 +1,74 @@
+#include "datasets/SceneCatalogue.h"
+
+#include "datasets/scenes/Scenes.h"
+#include "filters/core/Error.h"
+#include "filters/core/Text.h"
+
+namespace umbra {
+namespace {
+
+using scenes::SceneEntry;
+
+std::vector<SceneEntry> allScenes() {
+  return {scenes::treeBench(), scenes::threePlanes(), scenes::twoPlanes()};
+}
+
+[[noreturn]] void refuse(const std::string& message) {
+  throw Error(ErrorKind::BadInput, message);
+}
+
+SceneEntry entryNamed(const std::string& name) {
+  std::vector<std::string> names;
+  for (SceneEntry& entry : allScenes()) {
+    if (entry.info.name == name) return entry;
+    names.push_back(entry.info.name);
+  }
+  const std::string nearest = nearestWord(name, names);
+  refuse("there is no scene '" + name + "'" +
+         (nearest.empty() ? "; there are " + joined(names) : "; did you mean '" + nearest + "'?"));
+}
+
+// Every parameter of the scene, given or default.
+scenes::Values valuesFor(const SceneInfo& info, const std::map<std::string, double>& given) {
+  scenes::Values values;
+  std::vector<std::string> names;
+  for (const SceneParameter& parameter : info.parameters) {
+    values[parameter.name] = parameter.value;
+    names.push_back(parameter.name);
+    const auto found = given.find(parameter.name);
+    if (found == given.end()) continue;
+    // Written so that a NaN fails too.
+    if (!(found->second >= parameter.low && found->second <= parameter.high))
+      refuse("scene " + info.name + ": " + parameter.name + ": " + shortNumber(found->second) +
+             " is not right, it takes a number from " + shortNumber(parameter.low) + " to " +
+             shortNumber(parameter.high));
+    values[parameter.name] = found->second;
+  }
+  for (const auto& [name, value] : given)
+    if (!values.contains(name))
+      refuse("scene " + info.name + ": there is no parameter '" + name + "'; " +
+             (names.empty() ? "this scene has none" : "there are " + joined(names)));
+  return values;
+}
+
+}  // namespace
+
+std::vector<SceneInfo> sceneCatalogue() {
+  std::vector<SceneInfo> infos;
+  for (SceneEntry& entry : allScenes()) infos.push_back(std::move(entry.info));
+  return infos;
+}
+
+Scene makeScene(const std::string& name, const std::map<std::string, double>& parameters) {
+  const SceneEntry entry = entryNamed(name);
+  const scenes::Values values = valuesFor(entry.info, parameters);
+  if (!entry.info.missing.empty()) refuse("scene " + name + ": " + entry.info.missing);
+  Scene scene = entry.build(values);
+  scene.name = entry.info.name;
+  scene.title = entry.info.title;
+  scene.description = entry.info.description;
+  scene.figure = entry.info.figure;
+  return scene;
+}
+
+}  // namespace umbra
