@@ -1,0 +1,87 @@
+#include "ui/widgets/ColourBar.h"
+
+#include <QPainter>
+
+#include "ui/widgets/Style.h"
+
+namespace umbra {
+namespace {
+
+constexpr int barHeight = 10;
+constexpr int tickLength = 3;
+
+}  // namespace
+
+ColourBar::ColourBar(QWidget* parent) : QWidget(parent) {
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+void ColourBar::setScale(ColourMap map, double low, double high, const QString& label) {
+  map_ = map;
+  low_ = low;
+  high_ = high;
+  label_ = label;
+  setToolTip(QString("%1: %2 … %3").arg(label, style::figure(low), style::figure(high)));
+  updateGeometry();
+  update();
+}
+
+void ColourBar::setViewMode(ViewMode mode) {
+  switch (mode) {
+    case ViewMode::Visibility:
+      setScale(ColourMap::Grey, 0.0, 1.0, tr("visibility v"));
+      break;
+    case ViewMode::Error:
+      setScale(ColourMap::Diverging, -1.0, 1.0, tr("error v − v_ref: too dark … too light"));
+      break;
+    case ViewMode::Depth:
+      setScale(ColourMap::Viridis, 0.0, 1.0, tr("light-space depth z"));
+      break;
+    case ViewMode::Shaded:
+    case ViewMode::Layers:
+      setVisible(false);
+      return;
+  }
+  setVisible(true);
+}
+
+QSize ColourBar::sizeHint() const {
+  const int lines = label_.isEmpty() ? 1 : 2;
+  return {220, barHeight + tickLength + 2 + lines * fontMetrics().height()};
+}
+
+QSize ColourBar::minimumSizeHint() const {
+  return {80, sizeHint().height()};
+}
+
+void ColourBar::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  const int line = fontMetrics().height();
+  int top = 0;
+  if (!label_.isEmpty()) {
+    painter.setPen(style::muted);
+    painter.drawText(QRect(0, 0, width(), line), Qt::AlignLeft | Qt::AlignVCenter,
+                     fontMetrics().elidedText(label_, Qt::ElideRight, width()));
+    top = line;
+  }
+  const QRect bar(0, top, width(), barHeight);
+  QLinearGradient gradient(bar.left(), 0, bar.right() + 1, 0);
+  for (int i = 0; i <= 32; ++i) gradient.setColorAt(i / 32.0, QColor(colourAt(map_, i / 32.0)));
+  painter.fillRect(bar, gradient);
+  painter.setPen(style::border);
+  painter.drawRect(bar.adjusted(0, 0, -1, -1));
+
+  painter.setFont(style::figures(font()));
+  const int figuresTop = bar.bottom() + tickLength + 2;
+  const Qt::Alignment sides[] = {Qt::AlignLeft, Qt::AlignHCenter, Qt::AlignRight};
+  for (int i = 0; i <= 2; ++i) {
+    const double share = i / 2.0;
+    const int x = int(share * (width() - 1));
+    painter.setPen(style::muted);
+    painter.drawLine(x, bar.bottom() + 1, x, bar.bottom() + tickLength);
+    painter.drawText(QRect(0, figuresTop, width(), line), sides[i] | Qt::AlignTop,
+                     style::figure(low_ + share * (high_ - low_)));
+  }
+}
+
+}  // namespace umbra

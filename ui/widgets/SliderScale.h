@@ -1,0 +1,24 @@
+// Where a value stands on a slider, and back.
+#pragma once
+
+namespace umbra {
+
+// `low` and `high` are inclusive; a logarithmic scale needs low > 0 and is linear otherwise.
+struct SliderScale {
+  double low = 0.0, high = 1.0;
+  bool logarithmic = false;
+  bool whole = false;  // values are integers, one position each
+
+  // Positions are 0 … positions(): the ends are exactly low and high.
+  int positions() const;
+  int positionOf(double value) const;
+  // Rounded to what a position resolves, so that a dragged value is short to read and to write.
+  double valueAt(int position) const;
+  // The value `steps` clicks up (or down) of a box's arrow keys, within the range.
+  double stepped(double value, int steps) const;
+
+ private:
+  bool isLogarithmic() const { return logarithmic && low > 0.0; }
+};
+
+}  // namespace umbra
