@@ -1,0 +1,37 @@
+// Exponential shadow maps (Salvi 2007; Annen et al. 2008), with the warp centred on mid-depth.
+#pragma once
+
+#include "filters/core/Technique.h"
+
+namespace umbra::esm {
+
+struct EsmParameters {
+  double exponent = 80.0;
+  double bleedReduction = 0.0;
+
+  static constexpr auto fields() {
+    using P = EsmParameters;
+    return std::tuple{
+        Field<P, double>{&P::exponent, "exponent", "c", "1/depth", 0.1, 400.0,
+                         "Steepness of the warp; larger bleeds less. Float holds 176, half 22.",
+                         Scale::Logarithmic},
+        Field<P, double>{
+            &P::bleedReduction, "bleed-reduction", "a", "", 0.0, 0.99,
+            "Visibilities up to a become 0, the rest is stretched; darkens penumbrae."},
+    };
+  }
+};
+
+class Esm final : public TechniqueWith<Esm, EsmParameters> {
+ public:
+  const TechniqueInfo& info() const override;
+  std::vector<Channel> channels() const override { return {{"E"}}; }
+  std::string refusal(StorageFormat format) const override;
+  std::vector<std::string> limitTo(StorageFormat format) override;
+  void encode(double z, std::span<double> channels) const override;
+  double visibility(const Fetch& fetch, double receiver) const override;
+  std::string_view glsl() const override;
+  std::string_view page() const override;
+};
+
+}  // namespace umbra::esm
