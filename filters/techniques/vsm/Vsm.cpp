@@ -32,9 +32,15 @@ double Vsm::visibility(const Fetch& fetch, double receiver) const {
   return reduceLightBleeding(bound, values.bleedReduction);
 }
 
-std::string_view Vsm::glsl() const { return Vsm_glsl; }
-std::string_view Vsm::page() const { return Vsm_md; }
+std::string_view Vsm::glsl() const {
+  return Vsm_glsl;
+}
+std::string_view Vsm::page() const {
+  return Vsm_md;
+}
 
-void addTo(TechniqueCatalogue& catalogue) { catalogue.add(std::make_unique<Vsm>()); }
+void addTo(TechniqueCatalogue& catalogue) {
+  catalogue.add(std::make_unique<Vsm>());
+}
 
 }  // namespace umbra::vsm

@@ -15,8 +15,9 @@ struct VsmParameters {
         Field<P, double>{&P::minVariance, "min-variance", "σ²min", "depth²", 1e-12, 1e-2,
                          "Smallest variance that the bound uses; hides rounding, blurs contacts.",
                          Scale::Logarithmic},
-        Field<P, double>{&P::bleedReduction, "bleed-reduction", "a", "", 0.0, 0.99,
-                         "Visibilities up to a become 0, the rest is stretched; darkens penumbrae."},
+        Field<P, double>{
+            &P::bleedReduction, "bleed-reduction", "a", "", 0.0, 0.99,
+            "Visibilities up to a become 0, the rest is stretched; darkens penumbrae."},
     };
   }
 };
