@@ -1,0 +1,30 @@
+// A probe together with where it was taken: what every pane of the window shows.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "analysis/Probe.h"
+#include "datasets/Session.h"
+
+namespace umbra {
+
+struct ProbeReport {
+  Probe probe;
+  Pixel pixel;          // of the view (device pixels), or the texel of a depth file
+  bool pinned = false;  // by a click; else it follows the pointer
+  bool facesLight = true;
+  bool receiverByHand = false;  // dragged in a plot, not the surface's
+  // World, on the surface; absent for a depth file.
+  std::optional<Eigen::Vector3d> point;
+  std::vector<Eigen::Vector3d> footprint;  // world, the outline of the region on the surface
+};
+
+// That of technique `id`; null when the probe has none.
+const TechniqueResult* resultOf(const Probe& probe, std::string_view id);
+
+// "light bleeding", "over-darkening" or "agrees with the truth".
+const char* verdictOf(double error);
+
+}  // namespace umbra

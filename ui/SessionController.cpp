@@ -1,0 +1,127 @@
+#include "ui/SessionController.h"
+
+#include <QUndoCommand>
+#include <exception>
+
+#include "ui/SourceLoader.h"
+
+namespace umbra {
+
+// One step: the documents on its two sides.
+class DocumentCommand : public QUndoCommand {
+ public:
+  DocumentCommand(SessionController& controller, const QString& text, Document after,
+                  const QString& mergeKey)
+      : QUndoCommand(text),
+        controller_(controller),
+        before_(controller.document()),
+        after_(std::move(after)),
+        mergeKey_(mergeKey),
+        group_(controller.mergeGroup_) {}
+
+  void undo() override {
+    controller_.endMerge();  // what follows an undo is never merged into what was undone
+    controller_.show(before_);
+  }
+  void redo() override { controller_.show(after_); }
+  int id() const override { return mergeKey_.isEmpty() ? -1 : 1; }
+  bool mergeWith(const QUndoCommand* other) override {
+    const auto& next = static_cast<const DocumentCommand&>(*other);
+    if (next.mergeKey_ != mergeKey_ || next.group_ != group_) return false;
+    after_ = next.after_;
+    return true;
+  }
+
+ private:
+  SessionController& controller_;
+  Document before_, after_;
+  QString mergeKey_;
+  int group_;
+};
+
+SessionController::SessionController(const Session& session, QObject* parent)
+    : QObject(parent),
+      catalogue_(allTechniques()),
+      document_{session, loadContent(session.source)},
+      loader_(new SourceLoader(this)) {
+  rebuildTechniques(session);
+  undo_.setUndoLimit(500);
+  connect(loader_, &SourceLoader::failed, this, &SessionController::failed);
+  connect(loader_, &SourceLoader::finished, this, [this] { emit loadingChanged(false); });
+  connect(loader_, &SourceLoader::loaded, this, [this](const Document& loaded) {
+    endMerge();
+    push(tr("Open %1").arg(QString::fromStdString(titleOf(loaded.session.source))), loaded, {});
+  });
+}
+
+const Technique& SessionController::technique() const {
+  for (const auto& technique : techniques_)
+    if (technique->info().id == session().technique) return *technique;
+  return *techniques_.front();  // never: rebuildTechniques refuses an unknown one
+}
+
+bool SessionController::loading() const {
+  return loader_->busy();
+}
+
+void SessionController::edit(const QString& text, const std::function<void(Session&)>& change,
+                             const QString& mergeKey) {
+  Document after = document_;
+  change(after.session);
+  if (after.session == document_.session) return;
+  push(text, std::move(after), mergeKey);
+}
+
+void SessionController::amend(const std::function<void(Session&)>& change) {
+  Document after = document_;
+  change(after.session);
+  if (!(after.session == document_.session)) show(after);
+}
+
+void SessionController::push(const QString& text, Document after, const QString& mergeKey) {
+  try {
+    rebuildTechniques(after.session);  // refuses what is wrong before it becomes a step
+    undo_.push(new DocumentCommand(*this, text, std::move(after), mergeKey));
+  } catch (const std::exception& problem) {
+    rebuildTechniques(session());
+    emit failed(QString::fromUtf8(problem.what()));
+  }
+}
+
+void SessionController::show(const Document& document) {
+  const Document before = document_;
+  document_ = document;
+  rebuildTechniques(document_.session);
+  emit changed(before, document_);
+}
+
+void SessionController::rebuildTechniques(const Session& session) {
+  std::vector<std::shared_ptr<const Technique>> techniques;
+  std::vector<std::string> notices;
+  catalogue_.make(session.technique);  // throws for one that there is not
+  for (const Technique* technique : catalogue_.all()) {
+    const std::string id(technique->info().id);
+    const bool selected = id == session.technique;
+    techniques.push_back(techniqueOf(session, catalogue_, id, selected ? &notices : nullptr));
+  }
+  techniques_ = std::move(techniques);
+  notices_.clear();
+  for (const std::string& notice : notices) notices_ << QString::fromStdString(notice);
+}
+
+void SessionController::open(const Session& session) {
+  loader_->load(session);
+  emit loadingChanged(true);
+}
+
+void SessionController::openSource(const SceneSource& source) {
+  Session next = session();
+  next.source = source;
+  next.light.reset();
+  next.camera.reset();
+  next.probe.reset();
+  next.receiver.reset();
+  open(next);
+}
+
+}  // namespace umbra

@@ -1,0 +1,70 @@
+// The one session of the window and every change to it.
+#pragma once
+
+#include <QObject>
+#include <QUndoStack>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "ui/Document.h"
+
+namespace umbra {
+
+class SourceLoader;
+
+class SessionController : public QObject {
+  Q_OBJECT
+
+ public:
+  // Throws as loadContent does.
+  explicit SessionController(const Session& session, QObject* parent = nullptr);
+
+  const Session& session() const { return document_.session; }
+  const Document& document() const { return document_; }
+  const TechniqueCatalogue& catalogue() const { return catalogue_; }
+  // All of the catalogue, in its order, with the session's parameters; not adapted to a map.
+  const std::vector<std::shared_ptr<const Technique>>& techniques() const { return techniques_; }
+  const Technique& technique() const;  // the session's
+  // A sentence for each parameter of the session's technique that its format limits.
+  const QStringList& notices() const { return notices_; }
+  QUndoStack& undoStack() { return undo_; }
+  bool loading() const;
+
+  // One step for undo. Edits in a row with the same `mergeKey` become one step, until `endMerge`.
+  // The source must stay as it is: `open` changes it.
+  void edit(const QString& text, const std::function<void(Session&)>& change,
+            const QString& mergeKey = {});
+  void endMerge() { ++mergeGroup_; }
+  // Not a step of its own: what follows from what was done, such as where the first probe is put.
+  void amend(const std::function<void(Session&)>& change);
+
+  // Reads the session's source beside this thread; what is open stays until it is there. One step
+  // for undo.
+  void open(const Session& session);
+  // The same technique and frame on another source, with the light and camera that it brings.
+  void openSource(const SceneSource& source);
+
+ signals:
+  void changed(const umbra::Document& before, const umbra::Document& after);
+  void loadingChanged(bool loading);
+  // One line for people: what could not be done and why. What was open stays.
+  void failed(const QString& message);
+
+ private:
+  friend class DocumentCommand;
+  void push(const QString& text, Document after, const QString& mergeKey);
+  void show(const Document& document);  // undo, redo and every edit end here
+  void rebuildTechniques(const Session& session);
+
+  TechniqueCatalogue catalogue_;
+  Document document_;
+  std::vector<std::shared_ptr<const Technique>> techniques_;
+  QStringList notices_;
+  QUndoStack undo_;
+  SourceLoader* loader_;
+  int mergeGroup_ = 0;
+};
+
+}  // namespace umbra

@@ -1,0 +1,39 @@
+#include "ui/SourceLoader.h"
+
+#include <QMetaObject>
+#include <exception>
+
+namespace umbra {
+
+SourceLoader::SourceLoader(QObject* parent) : QObject(parent) {}
+
+// Events that a thread has posted to this object die with it.
+SourceLoader::~SourceLoader() = default;
+
+void SourceLoader::load(const Session& session) {
+  const int number = ++asked_;
+  threads_.emplace_back([this, number, session] {
+    Document document{session, {}};
+    QString error;
+    try {
+      document.content = loadContent(session.source);
+    } catch (const std::exception& problem) {
+      error = QString::fromUtf8(problem.what());
+    }
+    QMetaObject::invokeMethod(
+        this, [=, this] { report(number, document, error); }, Qt::QueuedConnection);
+  });
+}
+
+void SourceLoader::report(int number, const Document& document, const QString& error) {
+  if (number != asked_) return;
+  reported_ = number;
+  threads_.clear();  // the last one has only to return; earlier ones are waited for
+  if (error.isEmpty())
+    emit loaded(document);
+  else
+    emit failed(error);
+  emit finished();
+}
+
+}  // namespace umbra

@@ -1,0 +1,38 @@
+// Reads scenes and depth maps beside the interface's thread.
+#pragma once
+
+#include <QObject>
+#include <thread>
+#include <vector>
+
+#include "ui/Document.h"
+
+namespace umbra {
+
+class SourceLoader : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit SourceLoader(QObject* parent = nullptr);
+  // Waits for what is still being read.
+  ~SourceLoader() override;
+
+  // Ends in `loaded` or `failed`, on the thread of this object. Of several that overlap only the
+  // last one is reported.
+  void load(const Session& session);
+  bool busy() const { return reported_ != asked_; }
+
+ signals:
+  // `document.session` is the one that was asked for.
+  void loaded(const umbra::Document& document);
+  void failed(const QString& message);
+  void finished();  // after either
+
+ private:
+  void report(int number, const Document& document, const QString& error);
+
+  std::vector<std::jthread> threads_;
+  int asked_ = 0, reported_ = 0;  // numbers of requests
+};
+
+}  // namespace umbra
