@@ -36,6 +36,7 @@ class FrameSettingsForm : public Card {
 
  private:
   struct Controls;
+  void connectControls();
   void show();  // the settings into the controls
   void change(const QString& what);
 

@@ -34,12 +34,14 @@ class ProbeTable : public Card {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
 
  private:
   void arrangeColumns();
 
   ProbeTableModel* model_;
   QTableView* view_;
+  bool quiet_ = false;  // while setSelected moves the selection
 };
 
 }  // namespace umbra

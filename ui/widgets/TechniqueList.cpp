@@ -3,6 +3,7 @@
 #include <QListWidget>
 #include <QPainter>
 #include <QStyledItemDelegate>
+#include <QVBoxLayout>
 
 #include "ui/widgets/Style.h"
 

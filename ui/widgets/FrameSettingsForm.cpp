@@ -1,0 +1,212 @@
+#include "ui/widgets/FrameSettingsForm.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "ui/widgets/Controls.h"
+#include "ui/widgets/Style.h"
+
+namespace umbra {
+
+struct FrameSettingsForm::Controls {
+  QComboBox *kernel, *read, *size, *format;
+  NumberControl *radius, *constant, *slope;
+  RealBox* sigma;
+  QWidget* sigmaRow;
+  QCheckBox *receiverPlane, *cullFront;
+  QLabel* gpu;
+};
+
+namespace {
+
+// A label at the left, the editor at the right end.
+QWidget* row(QVBoxLayout* body, const QString& text, QWidget* editor, const QString& toolTip) {
+  auto* holder = new QWidget;
+  auto* line = new QHBoxLayout(holder);
+  line->setContentsMargins(0, 0, 0, 0);
+  auto* label = new QLabel(text);
+  label->setMinimumWidth(0);
+  line->addWidget(label, 1);
+  line->addWidget(editor);
+  holder->setToolTip(toolTip);
+  body->addWidget(holder);
+  return holder;
+}
+
+NumberControl* sliderRow(QVBoxLayout* body, QWidget* parent, const QString& text,
+                         const SliderScale& scale, const QString& unit, const QString& toolTip) {
+  auto* control = new NumberControl(scale, unit, parent);
+  row(body, text, control->box(), toolTip);
+  control->slider()->setToolTip(toolTip);
+  body->addWidget(control->slider());
+  return control;
+}
+
+QComboBox* choices(std::initializer_list<std::pair<QString, int>> items) {
+  auto* box = new QComboBox;
+  for (const auto& [text, value] : items) box->addItem(text, value);
+  ignoreWheelWithoutFocus(box);
+  return box;
+}
+
+void select(QComboBox* box, int value, const QString& textWhereAbsent) {
+  if (box->findData(value) < 0) box->addItem(textWhereAbsent, value);
+  box->setCurrentIndex(box->findData(value));
+}
+
+QString squared(int size) {
+  return QString::number(size) + QChar(0xb2);
+}
+
+}  // namespace
+
+FrameSettingsForm::FrameSettingsForm(QWidget* parent)
+    : Card(tr("Filter and map"), parent), controls_(std::make_unique<Controls>()) {
+  Controls& c = *controls_;
+  c.kernel = choices({{tr("None"), int(KernelShape::None)},
+                      {tr("Box"), int(KernelShape::Box)},
+                      {tr("Gaussian"), int(KernelShape::Gaussian)}});
+  row(body(), tr("Kernel"), c.kernel, tr("The prefilter's weights; square and separable"));
+  c.radius = sliderRow(body(), this, tr("Radius r"), {0.0, Kernel::largestRadius, false, true},
+                       tr("texels"), tr("The kernel has (2r+1)² taps"));
+  c.sigma = new RealBox;
+  c.sigma->setScale({0.0, 64.0});
+  c.sigma->setFixedWidth(c.radius->box()->width());
+  c.sigmaRow = row(body(), tr("Gaussian σ"), c.sigma,
+                   tr("Standard deviation in texels; 0 is automatic: half the radius"));
+  c.read =
+      choices({{tr("Point"), int(ReadFilter::Point)}, {tr("Bilinear"), int(ReadFilter::Bilinear)}});
+  row(body(), tr("Read"), c.read, tr("How the shaded frame reads the prefiltered channels"));
+  c.size = choices({});
+  for (int size = 128; size <= 4096; size *= 2) c.size->addItem(squared(size), size);
+  row(body(), tr("Map"), c.size, tr("Texels of the shadow map"));
+  c.format = choices({});
+  row(body(), tr("Storage"), c.format, tr("How a channel is stored per texel"));
+
+  c.constant =
+      sliderRow(body(), this, tr("Constant bias"), {0.0, 0.05}, QString(),
+                tr("Subtracted from the receiver's depth (normalised to the light's range)"));
+  c.slope = sliderRow(body(), this, tr("Slope bias"), {0.0, 8.0}, tr("texels"),
+                      tr("The depth that the receiver's plane gains over so many texels is "
+                         "subtracted as well"));
+  c.receiverPlane = new QCheckBox(tr("Receiver-plane bias"));
+  c.receiverPlane->setToolTip(
+      tr("Also over half the filter's width, so that no tap of a plane blocks the plane"));
+  c.cullFront = new QCheckBox(tr("Cull front faces"));
+  c.cullFront->setToolTip(tr("Casters' faces towards the light leave no depth"));
+  body()->addWidget(c.receiverPlane);
+  body()->addWidget(c.cullFront);
+  c.gpu = new QLabel;
+  c.gpu->setWordWrap(true);
+  c.gpu->setMinimumWidth(0);
+  c.gpu->setFont(style::figures(font()));
+  c.gpu->setToolTip(tr("GPU time of the last frame's passes, in milliseconds"));
+  c.gpu->hide();
+  body()->addWidget(c.gpu);
+  body()->addStretch();
+
+  setFormats({StorageFormat::Half, StorageFormat::Float});
+  connectControls();
+  show();
+}
+
+FrameSettingsForm::~FrameSettingsForm() = default;
+
+void FrameSettingsForm::connectControls() {
+  Controls& c = *controls_;
+  // Called as soon as a person has chosen; every control writes its own member only, so that what
+  // the form does not show stays as it was given.
+  const auto chosen = [this](QComboBox* box, const QString& what, auto write) {
+    connect(box, QOverload<int>::of(&QComboBox::activated), this, [this, box, what, write] {
+      write(shown_, box->currentData().toInt());
+      change(what);
+      emit editingFinished(what);
+    });
+  };
+  chosen(c.kernel, "kernel", [](FrameSettings& s, int v) { s.kernel.shape = KernelShape(v); });
+  chosen(c.read, "read", [](FrameSettings& s, int v) { s.read = ReadFilter(v); });
+  chosen(c.size, "map size", [](FrameSettings& s, int v) { s.map.size = v; });
+  chosen(c.format, "format", [](FrameSettings& s, int v) { s.map.format = StorageFormat(v); });
+
+  const auto slid = [this](NumberControl* control, const QString& what, auto write) {
+    connect(control, &NumberControl::changed, this, [this, what, write](double value) {
+      write(shown_, value);
+      change(what);
+    });
+    connect(control, &NumberControl::finished, this, [this, what] { emit editingFinished(what); });
+  };
+  slid(c.radius, "radius", [](FrameSettings& s, double v) { s.kernel.radius = int(v); });
+  slid(c.constant, "constant bias", [](FrameSettings& s, double v) { s.bias.constant = v; });
+  slid(c.slope, "slope bias", [](FrameSettings& s, double v) { s.bias.slope = v; });
+
+  connect(c.sigma, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this](double v) {
+    shown_.kernel.sigma = v;
+    change("sigma");
+  });
+  connect(c.sigma, &QDoubleSpinBox::editingFinished, this,
+          [this] { emit editingFinished("sigma"); });
+
+  const auto ticked = [this](QCheckBox* box, const QString& what, bool Bias::*member) {
+    connect(box, &QCheckBox::clicked, this, [this, what, member](bool on) {
+      shown_.bias.*member = on;
+      change(what);
+      emit editingFinished(what);
+    });
+  };
+  ticked(c.receiverPlane, "receiver plane", &Bias::receiverPlane);
+  ticked(c.cullFront, "front-face culling", &Bias::cullFrontFaces);
+}
+
+void FrameSettingsForm::setSettings(const FrameSettings& settings) {
+  shown_ = settings;
+  show();
+}
+
+FrameSettings FrameSettingsForm::settings() const {
+  return shown_;
+}
+
+void FrameSettingsForm::show() {
+  Controls& c = *controls_;
+  select(c.kernel, int(shown_.kernel.shape), {});
+  select(c.read, int(shown_.read), {});
+  select(c.size, shown_.map.size, squared(shown_.map.size));
+  select(c.format, int(shown_.map.format), style::text(nameOf(shown_.map.format)));
+  c.radius->setValue(shown_.kernel.radius);
+  c.constant->setValue(shown_.bias.constant);
+  c.slope->setValue(shown_.bias.slope);
+  const bool filtered = shown_.kernel.shape != KernelShape::None;
+  c.radius->slider()->setEnabled(filtered);
+  c.radius->box()->setEnabled(filtered);
+
+  const QSignalBlocker quiet(c.sigma);
+  Kernel automatic = shown_.kernel;
+  automatic.sigma = 0.0;
+  c.sigma->setSpecialValueText(tr("auto %1").arg(style::figure(automatic.effectiveSigma())));
+  if (c.sigma->value() != shown_.kernel.sigma) c.sigma->setValue(shown_.kernel.sigma);
+  c.sigmaRow->setVisible(shown_.kernel.shape == KernelShape::Gaussian);
+  c.receiverPlane->setChecked(shown_.bias.receiverPlane);
+  c.cullFront->setChecked(shown_.bias.cullFrontFaces);
+}
+
+void FrameSettingsForm::change(const QString& what) {
+  show();
+  emit settingsChanged(shown_, what);
+}
+
+void FrameSettingsForm::setFormats(const std::vector<StorageFormat>& formats) {
+  controls_->format->clear();
+  for (StorageFormat format : formats)
+    controls_->format->addItem(style::text(nameOf(format)), int(format));
+  select(controls_->format, int(shown_.map.format), style::text(nameOf(shown_.map.format)));
+}
+
+void FrameSettingsForm::setGpuText(const QString& text) {
+  controls_->gpu->setText(text);
+  controls_->gpu->setVisible(!text.isEmpty());
+}
+
+}  // namespace umbra

@@ -1,0 +1,165 @@
+#include "ui/widgets/PlotPane.h"
+
+#include <qwt_plot.h>
+#include <qwt_plot_canvas.h>
+#include <qwt_scale_map.h>
+
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QFileDialog>
+#include <QGuiApplication>
+#include <QImage>
+#include <QLabel>
+#include <QMenu>
+#include <QMouseEvent>
+#include <QStackedLayout>
+#include <QToolButton>
+#include <QToolTip>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/ProbePlots.h"
+#include "filters/core/Error.h"
+#include "ui/PlotRenderer.h"
+#include "ui/widgets/PlotReadout.h"
+#include "ui/widgets/Style.h"
+
+namespace umbra {
+namespace {
+
+constexpr double grabDistance = 6.0;  // pixels to either side of the receiver's marker
+
+QToolButton* headerButton(const QString& text, const QString& toolTip) {
+  auto* button = new QToolButton;
+  button->setText(text);
+  button->setToolTip(toolTip);
+  button->setAutoRaise(true);
+  return button;
+}
+
+}  // namespace
+
+PlotPane::PlotPane(const QString& title, QWidget* parent)
+    : Card(title, parent), widget_(new QwtPlot), hint_(new QLabel), pages_(new QStackedLayout) {
+  hint_->setAlignment(Qt::AlignCenter);
+  hint_->setWordWrap(true);
+  QPalette grey = hint_->palette();
+  grey.setColor(QPalette::WindowText, style::muted);
+  hint_->setPalette(grey);
+  widget_->setMinimumSize(120, 90);
+  widget_->canvas()->setMouseTracking(true);
+  widget_->canvas()->installEventFilter(this);
+  pages_->addWidget(hint_);
+  pages_->addWidget(widget_);
+  body()->addLayout(pages_, 1);
+
+  auto* copyButton = headerButton(tr("Copy"), tr("Copy the plot as a picture"));
+  auto* saveButton = headerButton(tr("Save…"), tr("Save as SVG, PDF, PNG or CSV"));
+  addToHeader(copyButton);
+  addToHeader(saveButton);
+  connect(copyButton, &QToolButton::clicked, this, &PlotPane::copy);
+  connect(saveButton, &QToolButton::clicked, this, &PlotPane::saveAs);
+}
+
+void PlotPane::setPlot(const Plot& plot) {
+  plot_ = plot;
+  setTitle(QString::fromStdString(plot.title));
+  // The card says the title already.
+  Plot untitled = plot;
+  untitled.title.clear();
+  showPlot(*widget_, untitled);
+  pages_->setCurrentWidget(widget_);
+}
+
+void PlotPane::clear(const QString& hint) {
+  plot_.reset();
+  dragging_ = false;
+  hint_->setText(hint);
+  pages_->setCurrentWidget(hint_);
+}
+
+void PlotPane::save(const std::filesystem::path& file) const {
+  if (!plot_) throw Error(ErrorKind::WorkFailed, "there is no plot to save yet");
+  if (file.extension() == ".csv")
+    writeCsv(*plot_, file);
+  else
+    exportPlot(*plot_, file);
+}
+
+void PlotPane::copy() const {
+  if (!plot_) return;
+  QGuiApplication::clipboard()->setImage(plotImage(*plot_, widget_->size()));
+}
+
+void PlotPane::saveAs() {
+  if (!plot_) return;
+  QString chosen;
+  const QString file = QFileDialog::getSaveFileName(
+      this, tr("Save plot"), QString::fromStdString(plot_->name) + ".svg",
+      tr("SVG (*.svg);;PDF (*.pdf);;PNG (*.png);;CSV (*.csv)"), &chosen);
+  if (file.isEmpty()) return;
+  try {
+    save(file.toStdString());
+    emit message(tr("Saved %1").arg(file));
+  } catch (const Error& error) {
+    emit message(QString::fromStdString(error.what()));
+  }
+}
+
+std::optional<double> PlotPane::markerPixel() const {
+  if (!plot_) return std::nullopt;
+  for (const PlotMarker& marker : plot_->markers)
+    if (marker.axis == MarkerAxis::Vertical && marker.colour == probeColour)
+      return widget_->canvasMap(QwtPlot::xBottom).transform(marker.position);
+  return std::nullopt;
+}
+
+double PlotPane::depthAt(int pixel) const {
+  return std::clamp(widget_->invTransform(QwtPlot::xBottom, pixel), 0.0, 1.0);
+}
+
+void PlotPane::hover(const QPoint& pixel) {
+  const std::optional<double> marker = markerPixel();
+  const bool grab = marker && std::abs(*marker - pixel.x()) <= grabDistance;
+  widget_->canvas()->setCursor(grab ? Qt::SplitHCursor : Qt::CrossCursor);
+  const double x = widget_->invTransform(QwtPlot::xBottom, pixel.x());
+  QToolTip::showText(widget_->canvas()->mapToGlobal(pixel + QPoint(8, 8)),
+                     QString::fromStdString(readoutAt(*plot_, x)), widget_->canvas());
+}
+
+bool PlotPane::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != widget_->canvas() || !plot_) return Card::eventFilter(watched, event);
+  if (event->type() == QEvent::MouseMove) {
+    const QPoint pixel = static_cast<QMouseEvent*>(event)->pos();
+    if (dragging_)
+      emit depthDragged(depthAt(pixel.x()));
+    else
+      hover(pixel);
+    return true;
+  }
+  if (event->type() == QEvent::MouseButtonPress) {
+    const auto* mouse = static_cast<QMouseEvent*>(event);
+    const std::optional<double> marker = markerPixel();
+    if (mouse->button() != Qt::LeftButton || !marker) return false;
+    dragging_ = std::abs(*marker - mouse->pos().x()) <= grabDistance;
+    if (dragging_) QToolTip::hideText();
+    return dragging_;
+  }
+  if (event->type() == QEvent::MouseButtonRelease && dragging_) {
+    dragging_ = false;
+    emit depthDragFinished();
+    return true;
+  }
+  return Card::eventFilter(watched, event);
+}
+
+void PlotPane::contextMenuEvent(QContextMenuEvent* event) {
+  if (!plot_) return;
+  QMenu menu(this);
+  menu.addAction(tr("Copy picture"), this, &PlotPane::copy);
+  menu.addAction(tr("Save as…"), this, &PlotPane::saveAs);
+  menu.exec(event->globalPos());
+}
+
+}  // namespace umbra

@@ -1,0 +1,130 @@
+#include "ui/widgets/ProbeTable.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QHeaderView>
+#include <QTableView>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/widgets/ProbeTableModel.h"
+#include "ui/widgets/Style.h"
+
+namespace umbra {
+namespace {
+
+constexpr int narrowestBar = 36;
+constexpr int widestBar = 160;
+
+}  // namespace
+
+ProbeTable::ProbeTable(QWidget* parent)
+    : Card(tr("All techniques at this pixel"), parent),
+      model_(new ProbeTableModel(this)),
+      view_(new QTableView) {
+  view_->setModel(model_);
+  view_->setItemDelegate(new ProbeTableDelegate(view_));
+  view_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  view_->setSelectionMode(QAbstractItemView::SingleSelection);
+  view_->setShowGrid(false);
+  view_->setFrameShape(QFrame::NoFrame);
+  view_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  view_->verticalHeader()->hide();
+  view_->verticalHeader()->setMinimumSectionSize(10);
+  QHeaderView* header = view_->horizontalHeader();
+  header->setMinimumSectionSize(10);
+  header->setHighlightSections(false);
+  header->setSectionsClickable(false);
+  header->setStyleSheet(QString("QHeaderView { background: transparent; } QHeaderView::section { "
+                                "border: none; border-bottom: 1px solid %1; background: "
+                                "transparent; color: %2; padding: 2px 4px; }")
+                            .arg(style::border.name(), style::muted.name()));
+  body()->addWidget(view_);
+
+  auto* copyButton = new QToolButton;
+  copyButton->setText(tr("Copy"));
+  copyButton->setToolTip(tr("Copy the table as text, tab separated"));
+  copyButton->setAutoRaise(true);
+  addToHeader(copyButton);
+  connect(copyButton, &QToolButton::clicked, this, &ProbeTable::copy);
+  auto* copyAction = new QAction(tr("Copy table"), view_);
+  view_->addAction(copyAction);
+  view_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  connect(copyAction, &QAction::triggered, this, &ProbeTable::copy);
+
+  connect(view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+          [this](const QModelIndex& current) {
+            if (!quiet_ && current.isValid())
+              emit techniqueChosen(current.data(ProbeTableModel::IdRole).toString());
+          });
+}
+
+void ProbeTable::setProbe(const Probe& probe, const QString& selected) {
+  model_->setProbe(probe);
+  setSelected(selected);
+  arrangeColumns();
+}
+
+// The selection model's own signals must go on: the view repaints by them.
+void ProbeTable::setSelected(const QString& id) {
+  quiet_ = true;
+  const int row = model_->rowOf(id);
+  if (row >= 0)
+    view_->setCurrentIndex(model_->index(row, 0));
+  else
+    view_->clearSelection();
+  quiet_ = false;
+}
+
+void ProbeTable::clear() {
+  model_->clear();
+}
+
+QString ProbeTable::asText() const {
+  return model_->asText();
+}
+
+void ProbeTable::copy() const {
+  QGuiApplication::clipboard()->setText(asText());
+}
+
+void ProbeTable::resizeEvent(QResizeEvent* event) {
+  Card::resizeEvent(event);
+  arrangeColumns();
+}
+
+void ProbeTable::showEvent(QShowEvent* event) {
+  Card::showEvent(event);
+  arrangeColumns();
+}
+
+// Titles and figures first, the bar takes what is left; where that is too little, the GPU's
+// column goes, then the bar.
+void ProbeTable::arrangeColumns() {
+  using Model = ProbeTableModel;
+  view_->resizeRowsToContents();
+  view_->setColumnHidden(Model::GpuColumn, !model_->hasGpuValues());
+  view_->setColumnHidden(Model::BarColumn, false);
+  int rest = view_->viewport()->width();
+  for (int column :
+       {Model::TitleColumn, Model::ValueColumn, Model::GpuColumn, Model::ErrorColumn}) {
+    if (view_->isColumnHidden(column)) continue;
+    view_->resizeColumnToContents(column);
+    rest -= view_->columnWidth(column);
+  }
+  if (rest < narrowestBar && !view_->isColumnHidden(Model::GpuColumn)) {
+    rest += view_->columnWidth(Model::GpuColumn);
+    view_->setColumnHidden(Model::GpuColumn, true);
+  }
+  if (rest < narrowestBar) {
+    view_->setColumnHidden(Model::BarColumn, true);
+    view_->setColumnWidth(Model::TitleColumn, view_->columnWidth(Model::TitleColumn) + rest);
+  } else {
+    view_->setColumnWidth(Model::BarColumn, std::min(rest, widestBar));
+    view_->setColumnWidth(Model::TitleColumn,
+                          view_->columnWidth(Model::TitleColumn) + std::max(0, rest - widestBar));
+  }
+}
+
+}  // namespace umbra

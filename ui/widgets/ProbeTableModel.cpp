@@ -1,0 +1,111 @@
+#include "ui/widgets/ProbeTableModel.h"
+
+#include <algorithm>
+
+#include "filters/core/Parameters.h"
+#include "ui/widgets/Style.h"
+
+namespace umbra {
+
+void ProbeTableModel::setProbe(const Probe& probe) {
+  std::vector<Row> rows;
+  for (const TechniqueResult& result : probe.techniques) {
+    const TechniqueInfo& info = result.technique->info();
+    rows.push_back({style::text(info.id), style::text(info.title), style::text(info.citation),
+                    QColor(style::text(info.colour)), result.visibility, result.error, result.gpu});
+  }
+  const bool same = std::equal(rows.begin(), rows.end(), rows_.begin(), rows_.end(),
+                               [](const Row& a, const Row& b) { return a.id == b.id; });
+  if (!same) beginResetModel();
+  rows_ = std::move(rows);
+  if (!same)
+    endResetModel();
+  else if (!rows_.empty())
+    emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+}
+
+void ProbeTableModel::clear() {
+  beginResetModel();
+  rows_.clear();
+  endResetModel();
+}
+
+bool ProbeTableModel::hasGpuValues() const {
+  return std::any_of(rows_.begin(), rows_.end(),
+                     [](const Row& row) { return row.gpu.has_value(); });
+}
+
+int ProbeTableModel::rowOf(const QString& id) const {
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    if (rows_[i].id == id) return int(i);
+  return -1;
+}
+
+QString ProbeTableModel::asText() const {
+  const auto number = [](double value) { return QString::fromStdString(toText(value)); };
+  QString text = "technique\tvisibility\tgpu\terror\n";
+  for (const Row& row : rows_)
+    text += row.title + "\t" + number(row.visibility) + "\t" +
+            (row.gpu ? number(*row.gpu) : QString()) + "\t" + number(row.error) + "\n";
+  return text;
+}
+
+int ProbeTableModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : int(rows_.size());
+}
+
+int ProbeTableModel::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : int(ColumnCount);
+}
+
+QVariant ProbeTableModel::data(const QModelIndex& index, int role) const {
+  const Row& row = rows_[std::size_t(index.row())];
+  switch (role) {
+    case IdRole:
+      return row.id;
+    case ColourRole:
+      return row.colour;
+    case ErrorRole:
+      return row.error;
+    case Qt::ToolTipRole:
+      return tr("%1: v = %2, error %3 (%4)\n%5")
+          .arg(row.title, style::figure(row.visibility), style::signedFigure(row.error),
+               row.error > 0   ? tr("too light")
+               : row.error < 0 ? tr("too dark")
+                               : tr("exact"),
+               row.citation);
+    case Qt::DisplayRole:
+      break;
+    default:
+      return {};
+  }
+  switch (index.column()) {
+    case TitleColumn:
+      return row.title;
+    case ValueColumn:
+      return QString::number(row.visibility, 'f', 3);
+    case GpuColumn:
+      return row.gpu ? QString::number(*row.gpu, 'f', 3) : QString();
+    case ErrorColumn:
+      return style::signedFigure(row.error);
+    default:
+      return {};
+  }
+}
+
+QVariant ProbeTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::TextAlignmentRole)
+    return int(Qt::AlignVCenter | (section == TitleColumn ? Qt::AlignLeft : Qt::AlignRight));
+  const QString names[] = {tr("technique"), tr("v"), tr("GPU"), tr("error"), QString()};
+  const QString toolTips[] = {{},
+                              tr("Visibility at the receiver, 1 is lit"),
+                              tr("Visibility that the shaded frame used at this pixel"),
+                              tr("v − v_ref: positive is light bleeding, negative is too dark"),
+                              tr("The error from −1 to +1")};
+  if (role == Qt::DisplayRole) return names[section];
+  if (role == Qt::ToolTipRole) return toolTips[section];
+  return {};
+}
+
+}  // namespace umbra

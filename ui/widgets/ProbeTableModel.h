@@ -1,0 +1,61 @@
+// The rows of ProbeTable: one per technique of a probe.
+#pragma once
+
+#include <QAbstractTableModel>
+#include <QColor>
+#include <QStyledItemDelegate>
+#include <optional>
+#include <vector>
+
+#include "analysis/Probe.h"
+
+namespace umbra {
+
+class ProbeTableModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { TitleColumn, ValueColumn, GpuColumn, ErrorColumn, BarColumn, ColumnCount };
+  enum Role { IdRole = Qt::UserRole, ColourRole, ErrorRole };
+
+  using QAbstractTableModel::QAbstractTableModel;
+
+  // Rows stay where the techniques are the same, so that a selection survives a moving probe.
+  void setProbe(const Probe& probe);
+  void clear();
+  bool hasGpuValues() const;
+  int rowOf(const QString& id) const;  // −1 where there is none
+  QString asText() const;
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  struct Row {
+    QString id, title, citation;
+    QColor colour;
+    double visibility = 0.0, error = 0.0;
+    std::optional<double> gpu;
+  };
+
+  std::vector<Row> rows_;
+};
+
+// A colour chip before the title, the error as a bar left or right of zero.
+class ProbeTableDelegate : public QStyledItemDelegate {
+  Q_OBJECT
+
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  static constexpr int chipWidth = 18;
+  static constexpr int padding = 5;
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option,
+             const QModelIndex& index) const override;
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+};
+
+}  // namespace umbra
