@@ -1,0 +1,97 @@
+#include "app/OpenWindow.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <vector>
+
+#include "app/SceneSources.h"
+#include "app/display/DisplayLibrary.h"
+#include "datasets/DepthFile.h"
+#include "datasets/SceneCatalogue.h"
+#include "datasets/SessionFile.h"
+#include "filters/core/Error.h"
+#include "filters/core/Text.h"
+
+namespace umbra {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool hasDisplay() {
+  const auto set = [](const char* name) {
+    const char* value = std::getenv(name);
+    return value && *value;
+  };
+  return set("DISPLAY") || set("WAYLAND_DISPLAY");
+}
+
+bool isScene(const std::string& name) {
+  for (const SceneInfo& info : sceneCatalogue())
+    if (info.name == name) return true;
+  return false;
+}
+
+}  // namespace
+
+OpenWindow::OpenWindow(CLI::App& program) : program_(program) {
+  program.add_option("SCENE", argument_, "Scene, mesh file, depth map (.exr) or session (.json)");
+  options_.addTo(program);
+}
+
+bool OpenWindow::given() const {
+  return argument_ || options_.given(program_);
+}
+
+void OpenWindow::checkArgument() const {
+  if (!argument_ || isScene(*argument_)) return;
+  const fs::path file = splitDepthArgument(*argument_).first;
+  if (fs::exists(file)) return;
+  if (file.has_extension() || file.has_parent_path())
+    throw Error(ErrorKind::BadInput, file.string() + ": there is no such file");
+  std::vector<std::string> known;
+  for (const SceneInfo& info : sceneCatalogue()) known.push_back(info.name);
+  for (const CLI::App* command : program_.get_subcommands([](const CLI::App*) { return true; }))
+    if (!command->get_group().empty()) known.push_back(command->get_name());
+  const std::string nearest = nearestWord(*argument_, known);
+  throw Error(ErrorKind::BadCommandLine,
+              *argument_ + ": is no command, scene or file; " +
+                  (nearest.empty()
+                       ? "`umbrascope --help` lists the commands, `umbrascope scenes` the scenes"
+                       : "did you mean '" + nearest + "'?"));
+}
+
+Session OpenWindow::opened() const {
+  const TechniqueCatalogue catalogue = allTechniques();
+  if (!argument_) return options_.session(catalogue);
+  checkArgument();
+  if (options_.namesSource())
+    throw Error(ErrorKind::BadCommandLine,
+                *argument_ + ": excludes --scene and --depth, give one of them");
+  Session session;
+  const auto [file, channel] = splitDepthArgument(*argument_);
+  if (isScene(*argument_)) {
+    session.source.name = *argument_;
+  } else if (file.extension() == ".json") {
+    session = readSession(file);
+  } else if (file.extension() == ".exr") {
+    session.source = {};
+    session.source.kind = SourceKind::DepthFile;
+    session.source.name = file.string();
+    session.source.channel = channel;
+  } else {
+    session.source = sceneSourceFrom(*argument_, *argument_);
+  }
+  return options_.over(session, catalogue);
+}
+
+int OpenWindow::run(int& argc, char** argv) const {
+  const Session session = opened();
+  if (!hasDisplay())
+    throw Error(ErrorKind::NoOpenGL,
+                "no display (DISPLAY and WAYLAND_DISPLAY are not set): the window cannot open; "
+                "`umbrascope render -o picture.png` draws without one");
+  return loadDisplay()->runWindow(argc, argv, session);
+}
+
+}  // namespace umbra

@@ -1,0 +1,50 @@
+#include "app/ProbeFiles.h"
+
+#include "analysis/ProbePlots.h"
+#include "app/Cancellation.h"
+#include "app/Table.h"
+#include "filters/core/AtomicFile.h"
+#include "filters/core/Text.h"
+
+namespace umbra {
+
+void writeProbe(OutputFolder& folder, Display& display, const Probe& probe, const Json& json,
+                std::string_view selected, int bins) {
+  writeTextAtomically(folder.file("probe.json"), toText(json));
+  for (const Plot& plot :
+       {curvesPlot(probe, selected), histogramPlot(probe, bins), cdfPlot(probe)}) {
+    for (const char* extension : {".png", ".svg", ".pdf"}) {
+      throwIfCancelled();
+      display.writePlot(plot, folder.file(plot.name + extension));
+    }
+    writeCsv(plot, folder.file(plot.name + ".csv"));
+  }
+}
+
+std::string probeText(const Probe& probe) {
+  const Region& region = probe.region;
+  const RegionStatistics& s = probe.statistics;
+  std::string text = "region    texel " + std::to_string(region.x) + "," +
+                     std::to_string(region.y) + ", " + describe(region.kernel) + ", " +
+                     std::to_string(region.texels.size()) + " taps\n";
+  text += "depths    mean " + shortNumber(s.mean) + ", variance " + shortNumber(s.variance) +
+          ", min " + shortNumber(s.min) + ", max " + shortNumber(s.max) + ", beta " +
+          shortNumber(s.beta) + "\n";
+  text += "receiver  " + shortNumber(probe.receiver) + "\n";
+  text += "reference " + shortNumber(probe.reference) + "\n\n";
+  std::vector<TableRow> rows{{"TECHNIQUE", "VISIBILITY", "ERROR"}};
+  bool gpu = false;
+  for (const TechniqueResult& result : probe.techniques) {
+    TableRow row{std::string(result.technique->info().id), shortNumber(result.visibility),
+                 shortNumber(result.error)};
+    if (result.gpu) {
+      gpu = true;
+      row.push_back(shortNumber(*result.gpu));
+    }
+    rows.push_back(row);
+  }
+  if (gpu) rows.front().push_back("GPU");
+  return text + tableText(rows);
+}
+
+}  // namespace umbra

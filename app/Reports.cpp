@@ -1,0 +1,147 @@
+#include "app/Reports.h"
+
+#include <cmath>
+
+namespace umbra {
+namespace {
+
+std::string_view nameOf(Reduction reduction) {
+  switch (reduction) {
+    case Reduction::Mean:
+      return "mean";
+    case Reduction::Min:
+      return "min";
+    case Reduction::Max:
+      return "max";
+  }
+  return "";
+}
+
+Json finiteOrNull(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json regionToJson(const Region& region) {
+  return {{"texel", {region.x, region.y}},
+          {"kernel", nameOf(region.kernel.shape)},
+          {"radius", region.kernel.effectiveRadius()},
+          {"texels", region.texels.size()}};
+}
+
+Json statisticsToJson(const RegionStatistics& statistics) {
+  return {{"mean", statistics.mean},         {"secondMoment", statistics.secondMoment},
+          {"variance", statistics.variance}, {"min", statistics.min},
+          {"max", statistics.max},           {"beta", finiteOrNull(statistics.beta)}};
+}
+
+Json techniquesToJson(const Probe& probe) {
+  Json rows = Json::array();
+  for (const TechniqueResult& result : probe.techniques) {
+    Json row = {{"name", result.technique->info().id},
+                {"parameters", parametersOf(*result.technique)},
+                {"visibility", result.visibility},
+                {"error", result.error}};
+    if (result.gpu) row["gpu"] = *result.gpu;
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+Json curvesToJson(const Probe& probe, int samples) {
+  const Curves curves = curvesOf(probe, samples);
+  Json object = {{"depth", curves.depth}, {"reference", curves.reference}};
+  for (std::size_t i = 0; i < probe.techniques.size(); ++i)
+    object[std::string(probe.techniques[i].technique->info().id)] = curves.techniques[i];
+  return object;
+}
+
+}  // namespace
+
+Json toJson(const ParameterValue& value) {
+  return std::visit([](const auto& v) { return Json(v); }, value);
+}
+
+Json parametersOf(const Technique& technique) {
+  Json object = Json::object();
+  const std::unique_ptr<Technique> copy = technique.clone();
+  for (const Parameter& parameter : copy->parameters())
+    object[std::string(parameter.name)] = toJson(parameter.get());
+  return object;
+}
+
+Json sourceToJson(const std::string& name, const DepthMap& map) {
+  return {{"name", name}, {"width", map.width()}, {"height", map.height()}};
+}
+
+Json probeToJson(const Probe& probe, const DepthMap& map, const ProbeReport& report) {
+  const Histogram histogram = histogramOf(probe.region, report.bins);
+  Json object = {{"format", "umbrascope-probe/1"},
+                 {"source", sourceToJson(report.sourceName, map)},
+                 {"region", regionToJson(probe.region)},
+                 {"receiver", probe.receiver},
+                 {"statistics", statisticsToJson(probe.statistics)},
+                 {"reference", probe.reference},
+                 {"techniques", techniquesToJson(probe)},
+                 {"histogram", {{"edges", histogram.edges}, {"weights", histogram.weights}}}};
+  if (report.samples > 0) object["curves"] = curvesToJson(probe, report.samples);
+  return object;
+}
+
+Json compareToJson(const std::vector<MetricsRow>& rows) {
+  Json techniques = Json::array();
+  for (const auto& [id, metrics] : rows)
+    techniques.push_back({{"name", id},
+                          {"rmse", metrics.rmse},
+                          {"mae", metrics.mae},
+                          {"bleeding", metrics.bleeding},
+                          {"darkening", metrics.darkening},
+                          {"max", metrics.max},
+                          {"min", metrics.min},
+                          {"umbraBleeding", metrics.umbraBleeding}});
+  return {{"format", "umbrascope-compare/1"},
+          {"samples", rows.empty() ? 0 : rows.front().metrics.samples},
+          {"reference", "pcf"},
+          {"techniques", techniques}};
+}
+
+Json techniqueToJson(Technique& technique) {
+  const TechniqueInfo& info = technique.info();
+  Json channels = Json::array(), parameters = Json::array();
+  for (const Channel& channel : technique.channels())
+    channels.push_back({{"name", channel.name}, {"reduction", nameOf(channel.reduction)}});
+  for (const Parameter& parameter : technique.parameters()) {
+    Json row = {{"name", parameter.name}, {"symbol", parameter.symbol}, {"unit", parameter.unit}};
+    if (parameter.choices.empty())
+      row["range"] = {parameter.low, parameter.high};
+    else
+      row["range"] = std::vector<std::string>(parameter.choices.begin(), parameter.choices.end());
+    row["default"] = toJson(parameter.defaultValue);
+    row["doc"] = parameter.doc;
+    parameters.push_back(row);
+  }
+  return {{"name", info.id},
+          {"title", info.title},
+          {"citation", info.citation},
+          {"summary", info.summary},
+          {"formula", info.formula},
+          {"colour", info.colour},
+          {"upperBound", info.upperBound},
+          {"prefilterable", info.prefilterable},
+          {"channels", channels},
+          {"parameters", parameters}};
+}
+
+Json sceneToJson(const SceneInfo& scene) {
+  Json parameters = Json::array();
+  for (const SceneParameter& parameter : scene.parameters)
+    parameters.push_back({{"name", parameter.name},
+                          {"range", {parameter.low, parameter.high}},
+                          {"default", parameter.value},
+                          {"doc", parameter.doc}});
+  return {
+      {"name", scene.name},      {"title", scene.title},     {"description", scene.description},
+      {"figure", scene.figure},  {"parameters", parameters}, {"available", scene.missing.empty()},
+      {"missing", scene.missing}};
+}
+
+}  // namespace umbra

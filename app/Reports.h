@@ -1,0 +1,39 @@
+// Results as JSON, with the names of fields that other programs rely on.
+#pragma once
+
+#include "analysis/Metrics.h"
+#include "analysis/Probe.h"
+#include "app/Output.h"
+#include "datasets/SceneCatalogue.h"
+#include "filters/core/Parameters.h"
+#include "filters/core/Technique.h"
+
+namespace umbra {
+
+Json toJson(const ParameterValue& value);
+// All parameters by name.
+Json parametersOf(const Technique& technique);
+
+// {"name", "width", "height"}.
+Json sourceToJson(const std::string& name, const DepthMap& map);
+
+struct ProbeReport {
+  std::string sourceName;
+  int bins = 60;
+  int samples = 0;  // of the curves; 0 leaves them out
+};
+// "umbrascope-probe/1". Statistics that are infinite are null.
+Json probeToJson(const Probe& probe, const DepthMap& map, const ProbeReport& report);
+
+struct MetricsRow {
+  std::string technique;
+  Metrics metrics;
+};
+// "umbrascope-compare/1".
+Json compareToJson(const std::vector<MetricsRow>& rows);
+
+// The entry of one technique or scene in its catalogue.
+Json techniqueToJson(Technique& technique);
+Json sceneToJson(const SceneInfo& scene);
+
+}  // namespace umbra

@@ -1,0 +1,37 @@
+// A probe of one pixel of a rendered scene.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "analysis/Probe.h"
+#include "app/Output.h"
+#include "app/display/Display.h"
+
+namespace umbra {
+
+struct SceneProbe {
+  Probe probe;
+  Pixel pixel;
+  SurfacePoint surface;
+};
+
+// Takes the region that the shaded frame reads at `pixel` apart, in the session's format, and
+// renders every technique for what the GPU makes of it. Throws BadCommandLine for a pixel outside
+// the frame, without a surface or outside the light's frame.
+SceneProbe probeScene(HeadlessFrame& frame, const Session& session,
+                      const std::vector<std::shared_ptr<Technique>>& techniques, Pixel pixel);
+
+// The pixel whose surface faces the light and where `technique` is farthest above the reference.
+// Throws WorkFailed where no pixel of the frame is lit by the light's map.
+Pixel worstBleeding(HeadlessFrame& frame, const Technique& technique);
+
+// Whether the surface of a pixel, four values of HeadlessFrame::surfaces, takes part in shadows:
+// it is there, faces the light and lies inside the light's frame.
+bool receivesShadow(std::span<const float> surface);
+
+// The fields of probeToJson with "pixel", "world" and "uv".
+Json sceneProbeToJson(const SceneProbe& probe, const DepthMap& map, const std::string& name,
+                      int bins, int samples);
+
+}  // namespace umbra

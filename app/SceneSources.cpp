@@ -1,0 +1,103 @@
+#include "app/SceneSources.h"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include "app/options/OptionValues.h"
+#include "datasets/DepthFile.h"
+#include "datasets/MeshFile.h"
+#include "datasets/SceneCatalogue.h"
+#include "filters/core/Error.h"
+#include "filters/core/Text.h"
+
+namespace umbra {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string lowerCase(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return text;
+}
+
+bool isMeshName(const std::string& name) {
+  const std::string extension = lowerCase(fs::path(name).extension().string());
+  return extension == ".obj" || extension == ".ply" || extension == ".off" || extension == ".stl";
+}
+
+std::string nearestScene(const std::string& name) {
+  std::vector<std::string> names;
+  for (const SceneInfo& info : sceneCatalogue()) names.push_back(info.name);
+  const std::string nearest = nearestWord(name, names);
+  return nearest.empty() ? "`umbrascope scenes` lists them" : "did you mean '" + nearest + "'?";
+}
+
+}  // namespace
+
+SceneSource sceneSourceFrom(const std::string& name, std::string_view where) {
+  SceneSource source;
+  source.name = name;
+  const std::vector<SceneInfo> scenes = sceneCatalogue();
+  if (std::any_of(scenes.begin(), scenes.end(), [&](const auto& s) { return s.name == name; }))
+    return source;
+  source.kind = SourceKind::MeshFile;
+  if (isMeshName(name)) {
+    if (!fs::exists(name)) throw Error(ErrorKind::BadInput, name + ": there is no such file");
+    return source;
+  }
+  throw Error(ErrorKind::BadCommandLine,
+              std::string(where) + ": '" + name +
+                  "' is neither a scene nor a mesh file (.obj .ply .off .stl); " +
+                  nearestScene(name));
+}
+
+void adjustScene(SceneSource& source, const std::string& setting) {
+  const std::string option = "--scene-set";
+  const auto [name, text] = assignmentFrom(setting, option);
+  if (source.kind != SourceKind::Catalogue)
+    throw Error(ErrorKind::BadCommandLine, option + ": only goes with a scene of the catalogue");
+  std::vector<std::string> names;
+  for (const SceneInfo& info : sceneCatalogue()) {
+    if (info.name != source.name) continue;
+    for (const SceneParameter& parameter : info.parameters) {
+      if (parameter.name == name) {
+        source.parameters[name] =
+            numberFrom(text, option + " " + name, {parameter.low, parameter.high});
+        return;
+      }
+      names.push_back(parameter.name);
+    }
+  }
+  throw Error(ErrorKind::BadCommandLine,
+              option + ": scene '" + source.name + "' has no parameter '" + name + "'" +
+                  (names.empty() ? ", nor any other" : "; it has " + joined(names)));
+}
+
+Scene loadScene(const SceneSource& source) {
+  if (source.kind == SourceKind::DepthFile)
+    throw Error(ErrorKind::BadCommandLine,
+                "--depth: a depth map has no scene to draw, give --scene NAME|FILE");
+  if (source.kind == SourceKind::Catalogue) return makeScene(source.name, source.parameters);
+  MeshReport report;
+  Scene scene = sceneFromMeshFile(source.name, &report);
+  if (report.degenerateFaces + report.nonFiniteFaces > 0)
+    spdlog::warn("{}: dropped {} degenerate and {} non-finite faces", source.name,
+                 report.degenerateFaces, report.nonFiniteFaces);
+  return scene;
+}
+
+DepthMap loadDepthMap(const SceneSource& source) {
+  return readDepthFile(source.name, source.channel, source.depthNear, source.depthFar);
+}
+
+std::string shortNameOf(const SceneSource& source) {
+  return source.kind == SourceKind::Catalogue ? source.name
+                                              : fs::path(source.name).filename().string();
+}
+
+}  // namespace umbra

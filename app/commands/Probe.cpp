@@ -1,0 +1,151 @@
+#include <memory>
+#include <optional>
+
+#include "app/ProbeFiles.h"
+#include "app/Reports.h"
+#include "app/SceneProbe.h"
+#include "app/SceneSources.h"
+#include "app/TechniqueSet.h"
+#include "app/commands/Commands.h"
+#include "app/display/DisplayLibrary.h"
+#include "app/options/OptionValues.h"
+#include "app/options/SessionOptions.h"
+#include "filters/core/Error.h"
+
+namespace umbra {
+namespace {
+
+struct ProbeCommand {
+  explicit ProbeCommand(CLI::App& command);
+
+  void run() const;
+  void probeDepthMap(Session session) const;
+  void probePixel(const Session& session) const;
+  std::vector<std::shared_ptr<Technique>> techniques(const Session& session) const;
+  // Writes or prints what was asked for.
+  void finish(const Probe& probe, const Json& json, const Session& session, Display* display) const;
+
+  SessionOptions options;
+  std::optional<std::string> texel, pixel, receiver, bins, samples, folder;
+  bool json = false;
+  TechniqueCatalogue catalogue = allTechniques();
+};
+
+ProbeCommand::ProbeCommand(CLI::App& command) {
+  const std::string group = "Probe";
+  const auto add = [&](const std::string& name, auto& value, const std::string& type,
+                       const std::string& text) {
+    command.add_option(name, value, text)->type_name(type)->group(group);
+  };
+  add("--texel", texel, "X,Y", "Of a depth map: the region's centre, y down, from 0");
+  add("--receiver", receiver, "Z", "Receiver's depth, 0 to 1; needed with --depth");
+  add("--pixel", pixel, "X,Y|worst",
+      "Of a scene: y down, from 0, or where the technique bleeds most");
+  add("--bins", bins, "N", "Bins of the histogram (default 60)");
+  add("--samples", samples, "N", "Also every technique's curve at N depths from 0 to 1");
+  add("-o,--output", folder, "DIR", "Write probe.json and the plots as PNG, SVG, PDF and CSV");
+  command.add_flag("--json", json, "Print one JSON object")->group(group);
+  options.addTo(command);
+}
+
+std::vector<std::shared_ptr<Technique>> ProbeCommand::techniques(const Session& session) const {
+  return makeTechniques(session, catalogue, options.techniques(catalogue, idsOf(catalogue)));
+}
+
+int binsOf(const std::optional<std::string>& text) {
+  return text ? integerFrom(*text, "--bins", 1, 100000) : 60;
+}
+
+int samplesOf(const std::optional<std::string>& text) {
+  return text ? integerFrom(*text, "--samples", 2, 1000000) : 0;
+}
+
+void ProbeCommand::run() const {
+  if (json && folder)
+    throw Error(ErrorKind::BadCommandLine, "--json: excludes -o, give one of them");
+  binsOf(bins);
+  samplesOf(samples);
+  if (folder) checkWritable(std::filesystem::path(*folder) / "probe.json");
+  Session session = options.session(catalogue);
+  if (receiver) session.receiver = numberFrom(*receiver, "--receiver", {0.0, 1.0});
+  if (session.source.kind == SourceKind::DepthFile)
+    probeDepthMap(session);
+  else
+    probePixel(session);
+}
+
+void ProbeCommand::probeDepthMap(Session session) const {
+  if (pixel)
+    throw Error(ErrorKind::BadCommandLine,
+                "--pixel: goes with a scene, a depth map takes --texel X,Y");
+  if (texel) session.probe = pixelFrom(*texel, "--texel");
+  if (!session.probe)
+    throw Error(ErrorKind::BadCommandLine, "--texel: is missing, give --texel X,Y");
+  if (!session.receiver)
+    throw Error(ErrorKind::BadCommandLine, "--receiver: is missing, give --receiver Z");
+  if (!options.namesFormat() && !options.namesSession())
+    session.frame.map.format = StorageFormat::Double;
+  const auto chosen = techniques(session);
+  const DepthMap map = loadDepthMap(session.source);
+  const auto [x, y] = *session.probe;
+  if (x >= map.width() || y >= map.height())
+    throw Error(ErrorKind::BadCommandLine,
+                "--texel: " + std::to_string(x) + "," + std::to_string(y) +
+                    " is outside the map of " + std::to_string(map.width()) + "x" +
+                    std::to_string(map.height()) + " texels, which count from 0");
+  ProbeRequest request{.map = map,
+                       .read = ReadPoint::atTexel(map, x, y),
+                       .kernel = session.frame.kernel,
+                       .format = session.frame.map.format,
+                       .receiver = *session.receiver};
+  for (const auto& technique : chosen) {
+    technique->adapt(map);
+    request.techniques.push_back(technique);
+  }
+  const Probe probe = takeProbe(request);
+  const Json object =
+      probeToJson(probe, map, {shortNameOf(session.source), binsOf(bins), samplesOf(samples)});
+  finish(probe, object, session, nullptr);
+}
+
+void ProbeCommand::probePixel(const Session& session) const {
+  if (texel)
+    throw Error(ErrorKind::BadCommandLine, "--texel: goes with --depth, a scene takes --pixel X,Y");
+  if (!pixel && !session.probe)
+    throw Error(ErrorKind::BadCommandLine,
+                "--pixel: is missing, give --pixel X,Y or --pixel worst");
+  std::optional<Pixel> place = session.probe;
+  if (pixel) place = *pixel == "worst" ? std::nullopt : std::optional(pixelFrom(*pixel, "--pixel"));
+  checkGpuFormat(session);
+  const auto chosen = techniques(session);
+  const std::string name = shortNameOf(session.source);
+  const auto scene = std::make_shared<const Scene>(loadScene(session.source));
+  const std::unique_ptr<Display> display = loadDisplay();
+  const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
+  if (!place) place = worstBleeding(*frame, *techniqueOf(session, catalogue, session.technique));
+  const SceneProbe probe = probeScene(*frame, session, chosen, *place);
+  const Json object =
+      sceneProbeToJson(probe, frame->depthMap(), name, binsOf(bins), samplesOf(samples));
+  finish(probe.probe, object, session, display.get());
+}
+
+void ProbeCommand::finish(const Probe& probe, const Json& object, const Session& session,
+                          Display* display) const {
+  if (json) return printJson(object);
+  if (!folder) return print(probeText(probe));
+  OutputFolder files(*folder);
+  const std::unique_ptr<Display> own = display ? nullptr : loadDisplay();
+  writeProbe(files, display ? *display : *own, probe, object, session.technique, binsOf(bins));
+  files.finish();
+}
+
+}  // namespace
+
+Command addProbe(CLI::App& program) {
+  CLI::App* command =
+      program.add_subcommand("probe", "Take one region apart: depths, techniques, truth");
+  const auto probe = std::make_shared<ProbeCommand>(*command);
+  return {command, [probe] { probe->run(); }};
+}
+
+}  // namespace umbra

@@ -1,0 +1,46 @@
+#include <memory>
+
+#include "app/Reports.h"
+#include "app/Table.h"
+#include "app/commands/Commands.h"
+#include "datasets/SceneCatalogue.h"
+#include "filters/core/Text.h"
+
+namespace umbra {
+namespace {
+
+void printTable(const std::vector<SceneInfo>& scenes) {
+  std::vector<TableRow> rows{{"NAME", "TITLE", "STANDS FOR"}};
+  std::vector<TableRow> parameters{{"PARAMETER", "OF", "RANGE", "DEFAULT", "MEANING"}};
+  std::string missing;
+  for (const SceneInfo& scene : scenes) {
+    rows.push_back({scene.name, scene.title, scene.figure});
+    for (const SceneParameter& p : scene.parameters)
+      parameters.push_back({p.name, scene.name, shortNumber(p.low) + " … " + shortNumber(p.high),
+                            shortNumber(p.value), p.doc});
+    if (!scene.missing.empty()) missing += scene.name + ": " + scene.missing + "\n";
+  }
+  std::string text = tableText(rows);
+  if (parameters.size() > 1) text += "\n" + tableText(parameters);
+  if (!missing.empty()) text += "\nNot installed here:\n" + missing;
+  print(text);
+}
+
+void listScenes(bool json) {
+  const std::vector<SceneInfo> scenes = sceneCatalogue();
+  if (!json) return printTable(scenes);
+  Json list = Json::array();
+  for (const SceneInfo& scene : scenes) list.push_back(sceneToJson(scene));
+  printJson({{"scenes", list}});
+}
+
+}  // namespace
+
+Command addScenes(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("scenes", "List the scenes of the catalogue");
+  const auto json = std::make_shared<bool>(false);
+  command->add_flag("--json", *json, "Print one JSON object");
+  return {command, [json] { listScenes(*json); }};
+}
+
+}  // namespace umbra

@@ -1,0 +1,54 @@
+#include <memory>
+
+#include "app/Reports.h"
+#include "app/Table.h"
+#include "app/commands/Commands.h"
+#include "filters/core/TechniqueCatalogue.h"
+#include "filters/core/Text.h"
+
+namespace umbra {
+namespace {
+
+std::string rangeOf(const Parameter& parameter) {
+  if (parameter.choices.empty())
+    return shortNumber(parameter.low) + " … " + shortNumber(parameter.high);
+  const std::vector<std::string> names(parameter.choices.begin(), parameter.choices.end());
+  return joined(names, "|");
+}
+
+void printTable(const std::vector<std::unique_ptr<Technique>>& techniques) {
+  std::vector<TableRow> rows{{"NAME", "TITLE", "AFTER", "STORES"}};
+  std::vector<TableRow> parameters{{"PARAMETER", "SYMBOL", "UNIT", "RANGE", "DEFAULT", "MEANING"}};
+  for (const auto& technique : techniques) {
+    const TechniqueInfo& info = technique->info();
+    rows.push_back({std::string(info.id), std::string(info.title), std::string(info.citation),
+                    std::string(info.summary)});
+    for (const Parameter& p : technique->parameters())
+      parameters.push_back({std::string(info.id) + "." + std::string(p.name), std::string(p.symbol),
+                            std::string(p.unit), rangeOf(p), toText(p.defaultValue),
+                            std::string(p.doc)});
+  }
+  print(tableText(rows) + "\n" + tableText(parameters));
+}
+
+void listTechniques(bool json) {
+  const TechniqueCatalogue catalogue = allTechniques();
+  std::vector<std::unique_ptr<Technique>> techniques;
+  for (const Technique* technique : catalogue.all()) techniques.push_back(technique->clone());
+  if (!json) return printTable(techniques);
+  Json list = Json::array();
+  for (const auto& technique : techniques) list.push_back(techniqueToJson(*technique));
+  printJson({{"techniques", list}});
+}
+
+}  // namespace
+
+Command addTechniques(CLI::App& program) {
+  CLI::App* command =
+      program.add_subcommand("techniques", "List the techniques and their parameters");
+  const auto json = std::make_shared<bool>(false);
+  command->add_flag("--json", *json, "Print one JSON object");
+  return {command, [json] { listTechniques(*json); }};
+}
+
+}  // namespace umbra

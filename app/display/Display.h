@@ -1,0 +1,60 @@
+// What needs OpenGL or Qt, behind an interface: the program loads the library that implements it
+// only when a command asks for it, so that everything else starts without either.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "analysis/Plot.h"
+#include "datasets/Session.h"
+#include "filters/gpu/ShadowRenderer.h"
+
+namespace umbra {
+
+// One scene on one headless OpenGL context.
+class HeadlessFrame {
+ public:
+  virtual ~HeadlessFrame() = default;
+
+  // Draws with this technique. Throws WorkFailed with what OpenGL or VTK reported.
+  virtual void render(const Technique& technique, ViewMode view) = 0;
+  // Of the last frame: see ShadowRenderer.
+  virtual Image<std::uint8_t> colour() = 0;
+  virtual Image<float> surfaces() = 0;
+  virtual std::optional<SurfacePoint> surfaceAt(int x, int y) = 0;
+  virtual Image<float> reference() = 0;
+  virtual const DepthMap& depthMap() = 0;
+  virtual Image<float> channels(BakeStage stage) = 0;
+};
+
+// A picture with a name, for sheets of several.
+struct LabelledPicture {
+  std::string label;
+  Image<std::uint8_t> colour;  // RGB, row 0 on top
+};
+
+class Display {
+ public:
+  virtual ~Display() = default;
+
+  // Returns the exit status of the window. Needs an X or Wayland display.
+  virtual int runWindow(int& argc, char** argv, const Session& session) = 0;
+
+  // `scene` as the session sees it: its light, camera, frame settings and size. Throws NoOpenGL.
+  virtual std::unique_ptr<HeadlessFrame> makeFrame(std::shared_ptr<const Scene> scene,
+                                                   const Session& session) = 0;
+
+  // .svg, .pdf or .png. Throws BadOutput.
+  virtual void writePlot(const Plot& plot, const std::filesystem::path& file) = 0;
+  // PNG of one picture as it is, or of several side by side, each under its label.
+  virtual void writePictures(const std::vector<LabelledPicture>& pictures,
+                             const std::filesystem::path& file) = 0;
+};
+
+// The one symbol of the library.
+inline constexpr const char* displayFactoryName = "umbraMakeDisplay";
+using DisplayFactory = Display* (*)();
+
+}  // namespace umbra

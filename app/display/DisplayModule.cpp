@@ -1,0 +1,62 @@
+// The library's one symbol and the class behind it.
+#include <QApplication>
+#include <memory>
+#include <optional>
+
+#include "app/display/Display.h"
+#include "app/display/PictureFile.h"
+#include "app/display/RendererFrame.h"
+#include "app/display/VtkMessages.h"
+#include "ui/PlotRenderer.h"
+#include "ui/RunWindow.h"
+
+namespace umbra {
+namespace {
+
+class QtVtkDisplay final : public Display {
+ public:
+  int runWindow(int& argc, char** argv, const Session& session) override {
+    return umbra::runWindow(argc, argv, session);
+  }
+
+  std::unique_ptr<HeadlessFrame> makeFrame(std::shared_ptr<const Scene> scene,
+                                           const Session& session) override {
+    if (!messages_) {
+      messages_ = vtkSmartPointer<VtkMessages>::New();
+      vtkOutputWindow::SetInstance(messages_);
+    }
+    return std::make_unique<RendererFrame>(std::move(scene), session, messages_);
+  }
+
+  void writePlot(const Plot& plot, const std::filesystem::path& file) override {
+    startQt();
+    exportPlot(plot, file);
+  }
+
+  void writePictures(const std::vector<LabelledPicture>& pictures,
+                     const std::filesystem::path& file) override {
+    startQt();
+    writePng(pictures, file);
+  }
+
+ private:
+  // Text needs an application, which without a display is one that draws off screen.
+  void startQt() {
+    if (QCoreApplication::instance()) return;
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    application_.emplace(argc_, argv_);
+  }
+
+  vtkSmartPointer<VtkMessages> messages_;
+  char name_[11] = "umbrascope";
+  char* argv_[2] = {name_, nullptr};
+  int argc_ = 1;  // QApplication keeps a reference to it
+  std::optional<QApplication> application_;
+};
+
+}  // namespace
+}  // namespace umbra
+
+extern "C" __attribute__((visibility("default"))) umbra::Display* umbraMakeDisplay() {
+  return new umbra::QtVtkDisplay;
+}

@@ -1,0 +1,50 @@
+#include "app/display/RendererFrame.h"
+
+#include "filters/gpu/HeadlessWindow.h"
+
+namespace umbra {
+
+RendererFrame::RendererFrame(std::shared_ptr<const Scene> scene, const Session& session,
+                             vtkSmartPointer<VtkMessages> messages)
+    : messages_(messages),
+      window_(makeHeadlessWindow(session.width, session.height)),
+      renderer_(*window_),
+      settings_(session.frame) {
+  renderer_.setScene(scene);
+  renderer_.setLight(session.light.value_or(scene->light));
+  renderer_.setCamera(session.camera.value_or(scene->camera));
+}
+
+void RendererFrame::render(const Technique& technique, ViewMode view) {
+  settings_.view = view;
+  renderer_.setFrame(settings_);
+  renderer_.setTechnique(technique);
+  renderer_.render();
+  messages_->throwFirstError();
+}
+
+Image<std::uint8_t> RendererFrame::colour() {
+  return checked(renderer_.colour());
+}
+Image<float> RendererFrame::surfaces() {
+  return checked(renderer_.surfaces());
+}
+Image<float> RendererFrame::reference() {
+  return checked(renderer_.reference());
+}
+
+std::optional<SurfacePoint> RendererFrame::surfaceAt(int x, int y) {
+  return checked(renderer_.surfaceAt(x, y));
+}
+
+const DepthMap& RendererFrame::depthMap() {
+  const DepthMap& map = renderer_.depthMap();
+  messages_->throwFirstError();
+  return map;
+}
+
+Image<float> RendererFrame::channels(BakeStage stage) {
+  return checked(renderer_.channels(stage));
+}
+
+}  // namespace umbra

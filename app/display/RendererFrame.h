@@ -1,0 +1,40 @@
+// HeadlessFrame on the shadow renderer and an EGL window.
+#pragma once
+
+#include <vtkRenderWindow.h>
+#include <vtkSmartPointer.h>
+
+#include "app/display/Display.h"
+#include "app/display/VtkMessages.h"
+#include "filters/gpu/ShadowRenderer.h"
+
+namespace umbra {
+
+class RendererFrame final : public HeadlessFrame {
+ public:
+  RendererFrame(std::shared_ptr<const Scene> scene, const Session& session,
+                vtkSmartPointer<VtkMessages> messages);
+
+  void render(const Technique& technique, ViewMode view) override;
+  Image<std::uint8_t> colour() override;
+  Image<float> surfaces() override;
+  std::optional<SurfacePoint> surfaceAt(int x, int y) override;
+  Image<float> reference() override;
+  const DepthMap& depthMap() override;
+  Image<float> channels(BakeStage stage) override;
+
+ private:
+  // The result of a read-back, unless VTK reported an error meanwhile.
+  template <class T>
+  T checked(T result) {
+    messages_->throwFirstError();
+    return result;
+  }
+
+  vtkSmartPointer<VtkMessages> messages_;
+  vtkSmartPointer<vtkRenderWindow> window_;
+  ShadowRenderer renderer_;
+  FrameSettings settings_;
+};
+
+}  // namespace umbra

@@ -1,0 +1,45 @@
+// Values of options, read from text: numbers, points, sizes. All throw BadCommandLine with one
+// line that names the option and says what it takes.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "datasets/Session.h"
+#include "filters/core/Light.h"
+#include "filters/core/Scene.h"
+
+namespace umbra {
+
+struct NumberRange {
+  double low, high;  // inclusive
+};
+
+// Finite and within the range.
+double numberFrom(std::string_view text, std::string_view option, NumberRange range);
+int integerFrom(std::string_view text, std::string_view option, int low, int high);
+// "on" or "off".
+bool switchFrom(std::string_view text, std::string_view option);
+
+// "X,Y,Z", world.
+Eigen::Vector3d pointFrom(std::string_view text, std::string_view option);
+// "X,Y", from 0.
+Pixel pixelFrom(std::string_view text, std::string_view option);
+// "WxH", 16 … 16384 pixels each.
+std::pair<int, int> sizeFrom(std::string_view text, std::string_view option);
+// "NEAR,FAR", NEAR < FAR.
+std::pair<double, double> depthRangeFrom(std::string_view text, std::string_view option);
+// "NAME=VALUE".
+std::pair<std::string, std::string> assignmentFrom(std::string_view text, std::string_view option);
+
+inline constexpr std::string_view lightSyntax =
+    "directional:X,Y,Z[:TO_X,TO_Y,TO_Z] or spot:X,Y,Z[:TO_X,TO_Y,TO_Z[:HALF_ANGLE]]";
+inline constexpr std::string_view cameraSyntax = "X,Y,Z:TO_X,TO_Y,TO_Z[:VIEW_ANGLE]";
+
+// What the text leaves out (target, angle, colour, intensity) stays as in `base`.
+Light lightFrom(std::string_view text, std::string_view option, const Light& base);
+Camera cameraFrom(std::string_view text, std::string_view option, const Camera& base);
+
+}  // namespace umbra

@@ -1,0 +1,244 @@
+#include "app/options/SessionOptions.h"
+
+#include <algorithm>
+
+#include "app/SceneSources.h"
+#include "app/options/OptionValues.h"
+#include "datasets/DepthFile.h"
+#include "datasets/SessionFile.h"
+#include "filters/core/Error.h"
+#include "filters/core/Text.h"
+
+namespace umbra {
+
+void SessionOptions::addTo(CLI::App& command) {
+  addInput(command);
+  addTechnique(command);
+  addMap(command);
+  addView(command);
+}
+
+void SessionOptions::addInput(CLI::App& command) {
+  const std::string group = "Input";
+  command
+      .add_option("--scene", scene_, "Scene of the catalogue, or mesh file (.obj .ply .off .stl)")
+      ->type_name("NAME|FILE")
+      ->group(group);
+  command.add_option("--scene-set", sceneSettings_, "Adjust the scene, see `scenes`; repeatable")
+      ->type_name("PARAMETER=VALUE")
+      ->take_all()
+      ->expected(1)
+      ->group(group);
+  command
+      .add_option("--depth", depth_,
+                  "Depth map instead of a scene: a float or half channel, by default Z")
+      ->type_name("FILE.exr[:CHANNEL]")
+      ->group(group);
+  command.add_option("--depth-range", depthRange_, "Depths that become 0 and 1 (default 0,1)")
+      ->type_name("NEAR,FAR")
+      ->group(group);
+  command.add_option("--session", session_, "Start from a saved session; options override it")
+      ->type_name("FILE.json")
+      ->group(group);
+}
+
+void SessionOptions::addTechnique(CLI::App& command) {
+  const std::string group = "Technique and prefilter";
+  command.add_option("--technique", techniques_, "One or more techniques, see `techniques`")
+      ->type_name("A[,B...]|all")
+      ->group(group);
+  command
+      .add_option("--set", settings_, "Set a technique's parameter, see `techniques`; repeatable")
+      ->type_name("TECHNIQUE.PARAMETER=VALUE")
+      ->take_all()
+      ->expected(1)
+      ->group(group);
+  command.add_option("--kernel", kernel_, "Prefilter: none, box (default) or gaussian")
+      ->type_name("NAME")
+      ->group(group);
+  command
+      .add_option("--radius", radius_, "Radius r of the (2r+1)x(2r+1) kernel, texels (default 3)")
+      ->type_name("R")
+      ->group(group);
+  command.add_option("--sigma", sigma_, "Gaussian's standard deviation, texels (default r/2)")
+      ->type_name("S")
+      ->group(group);
+}
+
+void SessionOptions::addMap(CLI::App& command) {
+  const std::string group = "Shadow map";
+  const auto add = [&](const std::string& name, Text& value, const std::string& type,
+                       const std::string& text) {
+    command.add_option(name, value, text)->type_name(type)->group(group);
+  };
+  add("--map-size", mapSize_, "N", "Texels a side, 16 to 8192 (default 1024)");
+  add("--format", format_, "NAME",
+      "Channel storage: half or float (default); on a depth map also unorm8, unorm16, double");
+  add("--filter", filter_, "NAME", "Read of the shaded frame: point or bilinear (default)");
+  add("--anisotropy", anisotropy_, "N", "Anisotropic samples of a read; 1");
+  add("--msaa", msaa_, "N", "Samples per shadow-map texel; 1");
+  add("--cascades", cascades_, "N", "Shadow maps along the view; 1");
+  add("--split-lambda", splitLambda_, "L", "Where cascades split, 0 to 1; without effect on one");
+  add("--bias-constant", biasConstant_, "D", "Depth taken off every receiver (default 0.0005)");
+  add("--bias-slope", biasSlope_, "T", "Texels of the receiver's slope taken off (default 1)");
+  add("--bias-receiver-plane", biasReceiverPlane_, "on|off",
+      "Slope also over half the filter region (default on)");
+  add("--cull-front-faces", cullFrontFaces_, "on|off",
+      "Casters' faces towards the light leave no depth (default off)");
+}
+
+void SessionOptions::addView(CLI::App& command) {
+  const std::string group = "View";
+  command
+      .add_option(
+          "--light", light_,
+          "Casting light, world; left out parts stay the scene's: " + std::string(lightSyntax))
+      ->type_name("LIGHT")
+      ->group(group);
+  command
+      .add_option("--camera", camera_,
+                  "Camera, world, angle in degrees: " + std::string(cameraSyntax))
+      ->type_name("CAMERA")
+      ->group(group);
+  command.add_option("--size", size_, "Picture, pixels (default 1280x720)")
+      ->type_name("WxH")
+      ->group(group);
+  command.add_option("--view", view_, "shaded (default), visibility, error, depth or layers")
+      ->type_name("NAME")
+      ->group(group);
+}
+
+bool SessionOptions::given(const CLI::App& command) const {
+  const std::vector<const CLI::Option*> options = command.get_options();
+  return std::any_of(options.begin(), options.end(), [](const CLI::Option* option) {
+    return option->count() > 0 && !option->get_positional();
+  });
+}
+
+Session SessionOptions::session(const TechniqueCatalogue& catalogue) const {
+  return over(session_ ? readSession(*session_) : Session{}, catalogue);
+}
+
+Session SessionOptions::over(Session base, const TechniqueCatalogue& catalogue) const {
+  refuseWhatIsNotThere();
+  editSource(base);
+  editTechniques(base, catalogue);
+  editMap(base);
+  editBias(base.frame.bias);
+  editView(base);
+  return base;
+}
+
+void SessionOptions::refuseWhatIsNotThere() const {
+  const auto only = [](const Text& text, const std::string& option, int highest) {
+    if (text && integerFrom(*text, option, 1, highest) != 1)
+      throw Error(ErrorKind::BadCommandLine,
+                  option + ": " + *text + " is not available in this version, only 1 is");
+  };
+  only(anisotropy_, "--anisotropy", 16);
+  only(msaa_, "--msaa", 8);
+  only(cascades_, "--cascades", 4);
+  if (splitLambda_) numberFrom(*splitLambda_, "--split-lambda", {0.0, 1.0});
+}
+
+void SessionOptions::editSource(Session& session) const {
+  if (scene_ && depth_)
+    throw Error(ErrorKind::BadCommandLine, "--depth: excludes --scene, give one of them");
+  if (scene_) session.source = sceneSourceFrom(*scene_, "--scene");
+  if (depth_) {
+    session.source = {};
+    session.source.kind = SourceKind::DepthFile;
+    std::tie(session.source.name, session.source.channel) = splitDepthArgument(*depth_);
+  }
+  if (depthRange_) {
+    if (session.source.kind != SourceKind::DepthFile)
+      throw Error(ErrorKind::BadCommandLine, "--depth-range: only goes with --depth");
+    std::tie(session.source.depthNear, session.source.depthFar) =
+        depthRangeFrom(*depthRange_, "--depth-range");
+  }
+  for (const std::string& setting : sceneSettings_) adjustScene(session.source, setting);
+}
+
+std::vector<std::string> idsOf(const TechniqueCatalogue& catalogue) {
+  std::vector<std::string> ids;
+  for (const Technique* technique : catalogue.all()) ids.emplace_back(technique->info().id);
+  return ids;
+}
+
+std::vector<std::string> SessionOptions::techniques(
+    const TechniqueCatalogue& catalogue, const std::vector<std::string>& fallback) const {
+  if (!techniques_) return fallback;
+  if (*techniques_ == "all") return idsOf(catalogue);
+  std::vector<std::string> ids;
+  for (const std::string& id : split(*techniques_, ',')) {
+    if (!catalogue.has(id)) {
+      const std::vector<std::string> all = idsOf(catalogue);
+      const std::string nearest = nearestWord(id, all);
+      throw Error(ErrorKind::BadCommandLine,
+                  "--technique: there is no '" + id + "'; " +
+                      (nearest.empty() ? "there are " + joined(all) + " and all"
+                                       : "did you mean '" + nearest + "'?"));
+    }
+    if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
+  }
+  if (ids.empty())
+    throw Error(ErrorKind::BadCommandLine, "--technique: is empty, it takes A[,B...] or all");
+  return ids;
+}
+
+void SessionOptions::editTechniques(Session& session, const TechniqueCatalogue& catalogue) const {
+  session.technique = techniques(catalogue, {session.technique}).front();
+  for (const std::string& setting : settings_) {
+    const auto [name, text] = assignmentFrom(setting, "--set");
+    const std::size_t dot = name.find('.');
+    if (dot == std::string::npos)
+      throw Error(ErrorKind::BadCommandLine,
+                  "--set: '" + setting + "' is not right, it takes TECHNIQUE.PARAMETER=VALUE");
+    const std::string id = name.substr(0, dot), parameter = name.substr(dot + 1);
+    try {
+      const std::unique_ptr<Technique> technique = catalogue.make(id);
+      const std::vector<Parameter> parameters = technique->parameters();
+      const Parameter& row = parameterNamed(parameters, parameter, "--set " + name);
+      row.setFromText(text, "--set " + name);
+      session.parameters[id][parameter] = row.get();
+    } catch (const Error& error) {
+      // The value came from the command line, whatever reads values from files calls it.
+      const bool prefixed = std::string_view(error.what()).starts_with("--set");
+      throw Error(ErrorKind::BadCommandLine,
+                  (prefixed ? "" : "--set: ") + std::string(error.what()));
+    }
+  }
+}
+
+void SessionOptions::editMap(Session& session) const {
+  FrameSettings& frame = session.frame;
+  if (kernel_) frame.kernel.shape = kernelShapeFrom(*kernel_);
+  if (radius_) frame.kernel.radius = integerFrom(*radius_, "--radius", 0, Kernel::largestRadius);
+  if (sigma_) frame.kernel.sigma = numberFrom(*sigma_, "--sigma", {0.01, 1000.0});
+  if (mapSize_) frame.map.size = integerFrom(*mapSize_, "--map-size", 16, 8192);
+  if (filter_) frame.read = readFilterFrom(*filter_);
+  if (format_) frame.map.format = storageFormatFrom(*format_);
+}
+
+void SessionOptions::editBias(Bias& bias) const {
+  if (biasConstant_) bias.constant = numberFrom(*biasConstant_, "--bias-constant", {0.0, 1.0});
+  if (biasSlope_) bias.slope = numberFrom(*biasSlope_, "--bias-slope", {0.0, 100.0});
+  if (biasReceiverPlane_)
+    bias.receiverPlane = switchFrom(*biasReceiverPlane_, "--bias-receiver-plane");
+  if (cullFrontFaces_) bias.cullFrontFaces = switchFrom(*cullFrontFaces_, "--cull-front-faces");
+}
+
+void SessionOptions::editView(Session& session) const {
+  if (size_) std::tie(session.width, session.height) = sizeFrom(*size_, "--size");
+  if (view_) session.frame.view = viewModeFrom(*view_);
+  if (!light_ && !camera_) return;
+  if (session.source.kind == SourceKind::DepthFile)
+    throw Error(ErrorKind::BadCommandLine,
+                std::string(light_ ? "--light" : "--camera") + ": only goes with a scene");
+  const Scene scene = loadScene(session.source);
+  if (light_) session.light = lightFrom(*light_, "--light", session.light.value_or(scene.light));
+  if (camera_)
+    session.camera = cameraFrom(*camera_, "--camera", session.camera.value_or(scene.camera));
+}
+
+}  // namespace umbra
