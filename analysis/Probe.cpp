@@ -21,14 +21,18 @@ TechniqueResult resultOf(std::shared_ptr<const Technique> technique, const Probe
   return result;
 }
 
+// The texel of `size` that holds u; the far edge belongs to the last one.
+int texelAt(double u, int size) {
+  return u == 1.0 ? size - 1 : int(std::floor(u * size));
+}
+
 Region regionOf(const ProbeRequest& request) {
+  const DepthMap& map = request.map;
   const ReadPoint& read = request.read;
   if (read.filter == ReadFilter::Bilinear)
-    return regionBilinear(request.map, request.kernel, read.u, read.v);
-  // The last texel's far edge belongs to it.
-  const int x = std::min(int(std::floor(read.u * request.map.width())), request.map.width() - 1);
-  const int y = std::min(int(std::floor(read.v * request.map.height())), request.map.height() - 1);
-  return regionAtTexel(request.map, request.kernel, x, y);
+    return regionBilinear(map, request.kernel, read.u, read.v);
+  return regionAtTexel(map, request.kernel, texelAt(read.u, map.width()),
+                       texelAt(read.v, map.height()));
 }
 
 // The region's texels as (depth, weight), nearest to the light first.

@@ -52,6 +52,14 @@ std::string errorLabel(double error) {
   return (error > 0.0 ? "bleeding " : "over-darkening ") + signed3(error);
 }
 
+// "Variance (VSM)" is "VSM" in a legend, where room is scarce.
+std::string legendName(const TechniqueInfo& info) {
+  const std::string_view title = info.title;
+  const std::size_t open = title.rfind('(');
+  if (open == std::string_view::npos || title.back() != ')') return std::string(title);
+  return std::string(title.substr(open + 1, title.size() - open - 2));
+}
+
 PlotRange unitRange() {
   return {0.0, 1.0};
 }
@@ -141,9 +149,8 @@ Plot curvesPlot(const Probe& probe, std::string_view selected, int samples) {
   for (std::size_t i = 0; i < probe.techniques.size(); ++i) {
     const TechniqueResult& result = probe.techniques[i];
     const TechniqueInfo& info = result.technique->info();
-    PlotSeries series{std::string(info.title), std::string(info.colour),
-                      SeriesStyle::Line,       curves.depth,
-                      curves.techniques[i],    thin};
+    PlotSeries series{legendName(info), std::string(info.colour), SeriesStyle::Line,
+                      curves.depth,     curves.techniques[i],     thin};
     if (info.id != selected) {
       plot.series.push_back(std::move(series));
       continue;

@@ -3,12 +3,13 @@
 #include <qwt_plot.h>
 #include <qwt_plot_renderer.h>
 
+#include <QBuffer>
 #include <QImage>
-#include <QImageWriter>
 #include <QPainter>
 #include <QPdfWriter>
 #include <QSvgGenerator>
 #include <cmath>
+#include <memory>
 
 #include "filters/core/AtomicFile.h"
 #include "filters/core/Error.h"
@@ -54,39 +55,45 @@ std::unique_ptr<QwtPlot> hiddenWidget(const Plot& plot, QSize size) {
   return widget;
 }
 
-[[noreturn]] void refuse(const std::string& reason) {
-  throw std::runtime_error(reason);
+void drawOn(QPaintDevice& device, QwtPlot& widget, QSize size) {
+  QPainter painter;
+  if (!painter.begin(&device)) throw Error(ErrorKind::WorkFailed, "a plot cannot be drawn");
+  painter.setRenderHint(QPainter::Antialiasing);
+  // QPdfWriter's pages are white already, and a rectangle less keeps its files editable.
+  if (!dynamic_cast<QPdfWriter*>(&device)) painter.fillRect(QRect(QPoint(0, 0), size), Qt::white);
+  draw(widget, painter, size);
 }
 
-void writeSvg(QwtPlot& widget, const Plot& plot, const QString& file, QSize size) {
+// Files are drawn in memory, since Qt's generators do not notice a full disk.
+QByteArray svgOf(const Plot& plot, QSize size) {
+  QBuffer buffer;
   QSvgGenerator generator;
-  generator.setFileName(file);
+  generator.setOutputDevice(&buffer);
   generator.setResolution(int(pointsPerInch));
   generator.setSize(size);
   generator.setViewBox(QRect(QPoint(0, 0), size));
   generator.setTitle(QString::fromStdString(plot.title));
-  QPainter painter;
-  if (!painter.begin(&generator)) refuse("the file cannot be opened");
-  painter.fillRect(QRect(QPoint(0, 0), size), Qt::white);
-  draw(widget, painter, size);
-  if (!painter.end()) refuse("writing stopped");
+  drawOn(generator, *hiddenWidget(plot, size), size);
+  return buffer.data();
 }
 
-void writePdf(QwtPlot& widget, const Plot& plot, const QString& file, QSize size) {
-  QPdfWriter writer(file);
+QByteArray pdfOf(const Plot& plot, QSize size) {
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  QPdfWriter writer(&buffer);
   writer.setTitle(QString::fromStdString(plot.title));
   writer.setResolution(int(pointsPerInch));
   writer.setPageSize(QPageSize(QSizeF(size), QPageSize::Point, {}, QPageSize::ExactMatch));
   writer.setPageMargins(QMarginsF(0, 0, 0, 0));
-  QPainter painter;
-  if (!painter.begin(&writer)) refuse("the file cannot be opened");
-  draw(widget, painter, size);
-  if (!painter.end()) refuse("writing stopped");
+  drawOn(writer, *hiddenWidget(plot, size), size);
+  return buffer.data();
 }
 
-void writePng(const Plot& plot, const QString& file, QSize size) {
-  QImageWriter writer(file, "png");
-  if (!writer.write(plotImage(plot, size))) refuse(writer.errorString().toStdString());
+QByteArray pngOf(const Plot& plot, QSize size) {
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  plotImage(plot, size).save(&buffer, "PNG");
+  return buffer.data();
 }
 
 }  // namespace
@@ -110,30 +117,27 @@ void showPlot(QwtPlot& widget, const Plot& plot) {
 }
 
 QImage plotImage(const Plot& plot, QSize size, double pixelRatio) {
-  const std::unique_ptr<QwtPlot> widget = hiddenWidget(plot, size);
   const QSize pixels = (QSizeF(size) * pixelRatio).toSize();
   QImage image(pixels, QImage::Format_ARGB32_Premultiplied);
   const int dotsPerMetre = int(std::lround(pointsPerInch * pixelRatio / 0.0254));
   image.setDotsPerMeterX(dotsPerMetre);
   image.setDotsPerMeterY(dotsPerMetre);
-  image.fill(Qt::white);
-  QPainter painter(&image);
-  painter.setRenderHint(QPainter::Antialiasing);
-  draw(*widget, painter, pixels);
+  drawOn(image, *hiddenWidget(plot, size), pixels);
   return image;
 }
 
 void exportPlot(const Plot& plot, const fs::path& file, QSize size) {
   const std::string extension = file.extension().string();
-  if (extension != ".svg" && extension != ".pdf" && extension != ".png")
+  QByteArray content;
+  if (extension == ".svg")
+    content = svgOf(plot, size);
+  else if (extension == ".pdf")
+    content = pdfOf(plot, size);
+  else if (extension == ".png")
+    content = pngOf(plot, size);
+  else
     throw Error(ErrorKind::BadOutput, file.string() + ": a plot is written as .svg, .pdf or .png");
-  const std::unique_ptr<QwtPlot> widget = hiddenWidget(plot, size);
-  writeAtomically(file, [&](const fs::path& temporary) {
-    const QString path = QString::fromStdString(temporary.string());
-    if (extension == ".svg") writeSvg(*widget, plot, path, size);
-    if (extension == ".pdf") writePdf(*widget, plot, path, size);
-    if (extension == ".png") writePng(plot, path, size);
-  });
+  writeTextAtomically(file, {content.constData(), std::size_t(content.size())});
 }
 
 }  // namespace umbra

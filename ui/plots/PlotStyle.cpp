@@ -80,6 +80,7 @@ void applyPlotStyle(QwtPlot& widget) {
   QPalette palette = widget.palette();
   palette.setColor(QPalette::Window, Qt::white);
   widget.setPalette(palette);
+  widget.setContentsMargins(4, 4, 12, 4);  // the last tick label reaches beyond its axis
   widget.setCanvasBackground(Qt::white);
   if (auto* canvas = qobject_cast<QwtPlotCanvas*>(widget.canvas())) {
     canvas->setFrameStyle(QFrame::NoFrame);

@@ -1,0 +1,217 @@
+#include "analysis/Probe.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "analysis/TestMaps.h"
+#include "filters/core/Error.h"
+#include "filters/core/Prefilter.h"
+
+namespace umbra {
+namespace {
+
+ProbeRequest requestOn(const DepthMap& map, int x, int y, double receiver) {
+  return {.map = map,
+          .read = ReadPoint::atTexel(map, x, y),
+          .kernel = {KernelShape::Gaussian, 3},
+          .receiver = receiver,
+          .techniques = everyTechnique(map)};
+}
+
+const TechniqueResult& resultNamed(const Probe& probe, std::string_view id) {
+  for (const TechniqueResult& result : probe.techniques)
+    if (result.technique->info().id == id) return result;
+  throw std::runtime_error("no such technique");
+}
+
+Region regionOf(std::vector<std::pair<double, double>> depthsAndWeights) {
+  Region region;
+  for (const auto& [depth, weight] : depthsAndWeights)
+    region.texels.push_back({0, 0, depth, weight});
+  return region;
+}
+
+TEST(ReadPoint, FindsEveryTexelAgain) {
+  for (int size : {1, 3, 10, 49, 1000, 8191}) {
+    const DepthMap map(size, 1);
+    for (int x = 0; x < size; ++x)
+      EXPECT_EQ(int(std::floor(ReadPoint::atTexel(map, x, 0).u * size)), x);
+  }
+}
+
+TEST(Probe, TakesTheRegionOfItsTexel) {
+  const DepthMap map = randomMap(20, 12, 1);
+  const Probe probe = takeProbe(requestOn(map, 19, 0, 0.6));
+  const Region expected = regionAtTexel(map, {KernelShape::Gaussian, 3}, 19, 0);
+  ASSERT_EQ(probe.region.texels.size(), expected.texels.size());
+  EXPECT_EQ(probe.region.x, 19);
+  EXPECT_EQ(probe.region.y, 0);
+  for (std::size_t i = 0; i < expected.texels.size(); ++i) {
+    EXPECT_EQ(probe.region.texels[i].depth, expected.texels[i].depth);
+    EXPECT_EQ(probe.region.texels[i].weight, expected.texels[i].weight);
+  }
+  EXPECT_EQ(probe.reference, referenceVisibility(expected, 0.6));
+}
+
+TEST(Probe, TheFarCornerBelongsToTheLastTexel) {
+  const DepthMap map = randomMap(8, 6, 2);
+  ProbeRequest request = requestOn(map, 0, 0, 0.5);
+  request.read = {ReadFilter::Point, 1.0, 1.0};
+  const Probe probe = takeProbe(request);
+  EXPECT_EQ(probe.region.x, 7);
+  EXPECT_EQ(probe.region.y, 5);
+}
+
+TEST(Probe, RefusesATexelOutsideTheMap) {
+  const DepthMap map = randomMap(8, 6, 2);
+  EXPECT_THROW(takeProbe(requestOn(map, 8, 0, 0.5)), Error);
+  EXPECT_THROW(takeProbe(requestOn(map, 0, -1, 0.5)), Error);
+}
+
+// Variance from its definition, in long double, by a route of its own. Both sides round at most
+// once per tap and operation: far less than 1e-12 for 49 taps.
+TEST(Probe, AgreesWithTheFormulaOfVsm) {
+  const DepthMap map = randomMap(32, 32, 3);
+  for (int x : {0, 7, 16, 31}) {
+    const double receiver = 0.65;
+    const Probe probe = takeProbe(requestOn(map, x, 9, receiver));
+    long double m1 = 0, m2 = 0, lit = 0;
+    for (const RegionTexel& texel : probe.region.texels) {
+      m1 += (long double)texel.weight * texel.depth;
+      m2 += (long double)texel.weight * texel.depth * texel.depth;
+      if (texel.depth >= receiver) lit += texel.weight;
+    }
+    const long double variance = std::max(m2 - m1 * m1, 1e-6L), d = receiver - m1;
+    const double expected = receiver <= m1 ? 1.0 : double(variance / (variance + d * d));
+    const TechniqueResult& vsm = resultNamed(probe, "vsm");
+    EXPECT_NEAR(vsm.visibility, expected, 1e-12);
+    EXPECT_NEAR(vsm.error, expected - double(lit), 1e-12);
+    EXPECT_NEAR(probe.statistics.variance, double(m2 - m1 * m1), 1e-12);
+  }
+}
+
+TEST(Probe, AgreesWithThePrefilteredMap) {
+  const DepthMap map = randomMap(24, 24, 4);
+  const ProbeRequest request = requestOn(map, 2, 21, 0.7);
+  const Probe probe = takeProbe(request);
+  for (const TechniqueResult& result : probe.techniques) {
+    const Image<double> channels =
+        prefilteredMap(map, *result.technique, request.kernel, StorageFormat::Double);
+    ASSERT_EQ(int(result.channels.size()), channels.channels());
+    for (int c = 0; c < channels.channels(); ++c) {
+      // Two orders of adding 49 products: n · u · Σ|w v| on either side.
+      const double scale = std::max(1.0, std::abs(channels(2, 21, c)));
+      EXPECT_NEAR(result.channels[c], channels(2, 21, c), 2 * 49 * 1.2e-16 * scale)
+          << result.technique->info().id;
+    }
+  }
+}
+
+TEST(Probe, BilinearReadsMixTheStoredTexels) {
+  const DepthMap map = randomMap(16, 16, 5);
+  ProbeRequest request = requestOn(map, 0, 0, 0.6);
+  request.read = {ReadFilter::Bilinear, 0.41, 0.63};
+  request.format = StorageFormat::Half;
+  const Probe probe = takeProbe(request);
+  EXPECT_EQ(probe.region.texels.size(), 64u);
+  for (const TechniqueResult& result : probe.techniques)
+    EXPECT_EQ(result.channels,
+              readBilinear(map, *result.technique, request.kernel, request.format, 0.41, 0.63));
+}
+
+TEST(Probe, PercentageCloserIsTheReference) {
+  const DepthMap map = randomMap(16, 16, 6);
+  for (double receiver : {0.0, 0.2, 0.5, 0.55, 0.8, 1.0}) {
+    const Probe probe = takeProbe(requestOn(map, 8, 8, receiver));
+    EXPECT_EQ(resultNamed(probe, "pcf").visibility, probe.reference);
+    EXPECT_EQ(resultNamed(probe, "pcf").error, 0.0);
+  }
+}
+
+TEST(Histogram, HoldsEveryTexelOnceInTheBinThatHoldsItsDepth) {
+  const DepthMap map = randomMap(32, 32, 7);
+  const Region region = regionAtTexel(map, {KernelShape::Gaussian, 6}, 11, 20);
+  for (int bins : {1, 2, 7, 60, 1000}) {
+    const Histogram histogram = histogramOf(region, bins);
+    ASSERT_EQ(histogram.edges.size(), std::size_t(bins) + 1);
+    ASSERT_EQ(histogram.weights.size(), std::size_t(bins));
+    EXPECT_TRUE(std::is_sorted(histogram.edges.begin(), histogram.edges.end()));
+    EXPECT_EQ(histogram.edges.front(), statisticsOf(region).min);
+    EXPECT_EQ(histogram.edges.back(), statisticsOf(region).max);
+    double total = 0.0;
+    for (int bin = 0; bin < bins; ++bin) {
+      double expected = 0.0;
+      for (const RegionTexel& texel : region.texels) {
+        const bool last = bin == bins - 1;
+        if (texel.depth >= histogram.edges[bin] &&
+            (texel.depth < histogram.edges[bin + 1] ||
+             (last && texel.depth <= histogram.edges[bin + 1])))
+          expected += texel.weight;
+      }
+      EXPECT_EQ(histogram.weights[bin], expected) << bin << " of " << bins;
+      total += histogram.weights[bin];
+    }
+    EXPECT_NEAR(total, 1.0, 169 * 2.3e-16);
+  }
+}
+
+TEST(Histogram, PutsADepthOnAnEdgeIntoTheBinThatItBegins) {
+  const Region region = regionOf({{0.0, 0.25}, {0.5, 0.25}, {1.0, 0.5}});
+  EXPECT_EQ(histogramOf(region, 2).weights, (std::vector<double>{0.25, 0.75}));
+}
+
+TEST(Histogram, OfOneDepthIsOneBinWithoutWidth) {
+  const Histogram histogram = histogramOf(regionOf({{0.5, 0.5}, {0.5, 0.5}}), 60);
+  EXPECT_EQ(histogram.edges, (std::vector<double>{0.5, 0.5}));
+  EXPECT_EQ(histogram.weights, (std::vector<double>{1.0}));
+}
+
+TEST(EmpiricalCdf, JoinsEqualDepthsAndEndsAtOne) {
+  const EmpiricalCdf cdf =
+      empiricalCdfOf(regionOf({{0.8, 0.5}, {0.3, 0.125}, {0.8, 0.125}, {0.5, 0.25}}));
+  EXPECT_EQ(cdf.depth, (std::vector<double>{0.3, 0.5, 0.8}));
+  EXPECT_EQ(cdf.cumulative, (std::vector<double>{0.125, 0.375, 1.0}));
+}
+
+TEST(EmpiricalCdf, ComplementsTheReference) {
+  const DepthMap map = randomMap(32, 32, 8);
+  const Region region = regionAtTexel(map, {KernelShape::Box, 5}, 4, 4);
+  const EmpiricalCdf cdf = empiricalCdfOf(region);
+  for (std::size_t i = 0; i < cdf.depth.size(); ++i) {
+    // What lies behind depth i, from the reference just behind it.
+    const double behind = referenceVisibility(region, std::nextafter(cdf.depth[i], 2.0));
+    EXPECT_NEAR(1.0 - cdf.cumulative[i], behind, 121 * 2.3e-16);
+  }
+}
+
+TEST(Curves, AreWhatAProbeAtEveryDepthGives) {
+  const DepthMap map = randomMap(32, 32, 9);
+  const ProbeRequest request = requestOn(map, 30, 3, 0.5);
+  const Probe probe = takeProbe(request);
+  const Curves curves = curvesOf(probe, 101);
+  ASSERT_EQ(curves.depth.size(), 101u);
+  EXPECT_EQ(curves.depth.front(), 0.0);
+  EXPECT_EQ(curves.depth.back(), 1.0);
+  ASSERT_EQ(curves.techniques.size(), request.techniques.size());
+  for (int i = 0; i < 101; ++i) {
+    ProbeRequest there = request;
+    there.receiver = curves.depth[i];
+    const Probe expected = takeProbe(there);
+    EXPECT_NEAR(curves.reference[i], expected.reference, 2 * 49 * 1.2e-16);
+    for (std::size_t t = 0; t < curves.techniques.size(); ++t)
+      EXPECT_EQ(curves.techniques[t][i], expected.techniques[t].visibility);
+  }
+}
+
+TEST(Curves, TheReferenceFallsFromOneToZero) {
+  const DepthMap map(8, 8, 1, 0.5);
+  const Curves curves = curvesOf(takeProbe(requestOn(map, 4, 4, 0.5)), 3);
+  EXPECT_EQ(curves.depth, (std::vector<double>{0.0, 0.5, 1.0}));
+  EXPECT_EQ(curves.reference, (std::vector<double>{1.0, 1.0, 0.0}));  // equality is lit
+}
+
+}  // namespace
+}  // namespace umbra
