@@ -5,16 +5,16 @@
 #include <QPainter>
 #include <QVBoxLayout>
 
+#include "ui/widgets/ElidedLabel.h"
 #include "ui/widgets/Style.h"
 
 namespace umbra {
 
 Card::Card(const QString& title, QWidget* parent)
-    : QFrame(parent), title_(new QLabel), header_(new QHBoxLayout), body_(new QVBoxLayout) {
+    : QFrame(parent), title_(new ElidedLabel), header_(new QHBoxLayout), body_(new QVBoxLayout) {
   QFont bold = title_->font();
   bold.setBold(true);
   title_->setFont(bold);
-  title_->setMinimumWidth(0);
   header_->addWidget(title_, 1);
   header_->setSpacing(4);
   body_->setSpacing(4);

@@ -26,6 +26,11 @@ void ColourBar::setScale(ColourMap map, double low, double high, const QString& 
   update();
 }
 
+void ColourBar::setLabel(const QString& label) {
+  label_ = label;
+  update();
+}
+
 void ColourBar::setViewMode(ViewMode mode) {
   switch (mode) {
     case ViewMode::Visibility:

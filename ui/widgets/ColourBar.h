@@ -14,6 +14,7 @@ class ColourBar : public QWidget {
  public:
   explicit ColourBar(QWidget* parent = nullptr);
 
+  void setLabel(const QString& label);
   void setScale(ColourMap map, double low, double high, const QString& label);
   // The bar of a view mode: visibility grey 0 … 1, error diverging −1 … +1, depth 0 … 1. Hides
   // itself for modes whose colours are no scale.

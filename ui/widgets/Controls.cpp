@@ -103,8 +103,8 @@ NumberControl::NumberControl(const SliderScale& scale, const QString& unit, QWid
   slider_->setPageStep(std::max(1, scale.positions() / 20));
   box_->setScale(scale);
   if (!unit.isEmpty()) box_->setSuffix(" " + unit);
-  const QString widest = scale.whole ? "00000" : "0.000e-00";
-  box_->setFixedWidth(box_->fontMetrics().horizontalAdvance(widest + box_->suffix()) + 12);
+  const QString widest = scale.whole ? "0000" : scale.logarithmic ? "0.00e-00" : "0.00000";
+  box_->setFixedWidth(box_->fontMetrics().horizontalAdvance(widest + box_->suffix()) + 10);
   setValue(scale.low);
 
   connect(slider_, &QSlider::valueChanged, this,

@@ -162,6 +162,8 @@ ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
   label->setMinimumWidth(0);
   reset_->setText(QString(QChar(0x21ba)));
   reset_->setAutoRaise(true);
+  reset_->setStyleSheet("padding: 0px");
+  reset_->setFixedWidth(18);
   reset_->setToolTip(
       tr("Back to the default, %1").arg(style::text(toText(parameter.defaultValue))));
   QSizePolicy policy = reset_->sizePolicy();

@@ -3,6 +3,7 @@
 #include <qwt_plot.h>
 #include <qwt_plot_canvas.h>
 #include <qwt_scale_map.h>
+#include <qwt_text.h>
 
 #include <QClipboard>
 #include <QContextMenuEvent>
@@ -69,7 +70,27 @@ void PlotPane::setPlot(const Plot& plot) {
   Plot untitled = plot;
   untitled.title.clear();
   showPlot(*widget_, untitled);
+  fitAxisTitle();
   pages_->setCurrentWidget(widget_);
+}
+
+void PlotPane::fitAxisTitle() {
+  if (!plot_) return;
+  QwtText title = widget_->axisTitle(QwtPlot::xBottom);
+  const QFontMetrics metrics(title.font());
+  title.setText(metrics.elidedText(QString::fromStdString(plot_->xLabel), Qt::ElideRight,
+                                   widget_->canvas()->width() - 4));
+  widget_->setAxisTitle(QwtPlot::xBottom, title);
+}
+
+void PlotPane::resizeEvent(QResizeEvent* event) {
+  Card::resizeEvent(event);
+  fitAxisTitle();
+}
+
+void PlotPane::showEvent(QShowEvent* event) {
+  Card::showEvent(event);
+  fitAxisTitle();
 }
 
 void PlotPane::clear(const QString& hint) {

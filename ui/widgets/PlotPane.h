@@ -42,11 +42,14 @@ class PlotPane : public Card {
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
   std::optional<double> markerPixel() const;  // of the receiver, across the plot's canvas
   double depthAt(int pixel) const;
+  void fitAxisTitle();  // cut where the plot is narrow
   void hover(const QPoint& pixel);
 
   QwtPlot* widget_;

@@ -27,6 +27,7 @@ ProbeTable::ProbeTable(QWidget* parent)
   view_->setItemDelegate(new ProbeTableDelegate(view_));
   view_->setSelectionBehavior(QAbstractItemView::SelectRows);
   view_->setSelectionMode(QAbstractItemView::SingleSelection);
+  view_->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
   view_->setShowGrid(false);
   view_->setFrameShape(QFrame::NoFrame);
   view_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

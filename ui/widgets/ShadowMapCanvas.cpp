@@ -177,7 +177,7 @@ void ShadowMapCanvas::paintEvent(QPaintEvent*) {
   if (visibleStale_ || visible_.devicePixelRatio() != devicePixelRatioF()) renderVisible();
   painter.drawImage(0, 0, visible_);
   if (scale_ >= gridFrom) drawGrid(painter);
-  drawValues(painter);
+  if (showsFigures()) drawValues(painter);
   drawRegion(painter);
 }
 
@@ -195,14 +195,18 @@ void ShadowMapCanvas::drawGrid(QPainter& painter) const {
   }
 }
 
-// The value in each texel, where the widest figure fits.
-void ShadowMapCanvas::drawValues(QPainter& painter) const {
+QFont ShadowMapCanvas::figureFont() const {
   QFont small = style::figures(font());
   small.setPixelSize(std::max(9, QFontInfo(font()).pixelSize() - 2));
-  const QFontMetricsF metrics(small);
-  if (metrics.horizontalAdvance("−0.0000") + 4 > scale_) return;
+  return small;
+}
 
-  painter.setFont(small);
+bool ShadowMapCanvas::showsFigures() const {
+  return QFontMetricsF(figureFont()).horizontalAdvance("0.0000") + 6 <= scale_;
+}
+
+void ShadowMapCanvas::drawValues(QPainter& painter) const {
+  painter.setFont(figureFont());
   const QRect texels = visibleTexels();
   for (int y = texels.top(); y <= texels.bottom(); ++y)
     for (int x = texels.left(); x <= texels.right(); ++x) {
@@ -231,8 +235,8 @@ void ShadowMapCanvas::drawRegion(QPainter& painter) const {
   if (texel.width() < 3.0) return;
   const double radius = std::clamp(texel.width() / 4.0, 2.0, 6.0);
   // In a corner of the texel where there is a figure in the middle.
-  const bool figure = texel.width() > 40.0;
-  const QPointF mark = figure ? texel.topLeft() + QPointF(radius + 4, radius + 4) : texel.center();
+  const QPointF mark =
+      showsFigures() ? texel.topLeft() + QPointF(radius + 4, radius + 4) : texel.center();
   painter.setPen(QPen(Qt::white, 1.0));
   painter.setBrush(style::probe);
   painter.drawEllipse(mark, radius, radius);

@@ -65,6 +65,8 @@ class ShadowMapCanvas : public QWidget {
  private:
   void setView(double scale, const QPointF& centre);  // centre in texels
   void renderVisible();
+  QFont figureFont() const;
+  bool showsFigures() const;  // the texels are large enough for their values
   void drawGrid(QPainter& painter) const;
   void drawValues(QPainter& painter) const;
   void drawRegion(QPainter& painter) const;

@@ -2,7 +2,6 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QToolButton>
 
 #include "ui/widgets/ColourBar.h"
@@ -12,7 +11,7 @@
 namespace umbra {
 namespace {
 
-QToolButton* headerButton(const QString& text, const QString& toolTip) {
+QToolButton* footButton(const QString& text, const QString& toolTip) {
   auto* button = new QToolButton;
   button->setText(text);
   button->setToolTip(toolTip);
@@ -26,27 +25,23 @@ ShadowMapView::ShadowMapView(QWidget* parent)
     : Card(tr("Shadow map"), parent),
       channels_(new QComboBox),
       colours_(new QComboBox),
-      regionButton_(headerButton(tr("Region"), tr("Zoom to the probed region"))),
+      regionButton_(footButton(tr("Region"), tr("Zoom to the probed region"))),
       canvas_(new ShadowMapCanvas),
-      legend_(new ColourBar),
-      readout_(new QLabel) {
-  auto* fitButton = headerButton(tr("Fit"), tr("Show the whole map (double click)"));
+      legend_(new ColourBar) {
+  auto* fitButton = footButton(tr("Fit"), tr("Show the whole map (double click)"));
   channels_->setToolTip(tr("What is shown: depth, or a channel of the technique"));
-  channels_->setMinimumContentsLength(5);
   channels_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  addToHeader(regionButton_);
-  addToHeader(fitButton);
   addToHeader(channels_);
 
   colours_->addItem(tr("viridis"), int(ColourMap::Viridis));
   colours_->addItem(tr("grey"), int(ColourMap::Grey));
   colours_->setToolTip(tr("Colour map"));
-  readout_->setFont(style::figures(font()));
-  readout_->setMinimumWidth(0);
   regionButton_->setEnabled(false);
 
   auto* foot = new QHBoxLayout;
-  foot->addWidget(readout_, 1);
+  foot->addWidget(regionButton_);
+  foot->addWidget(fitButton);
+  foot->addStretch();
   foot->addWidget(colours_);
   body()->addWidget(canvas_, 1);
   body()->addWidget(legend_);
@@ -64,7 +59,7 @@ ShadowMapView::ShadowMapView(QWidget* parent)
   connect(canvas_, &ShadowMapCanvas::texelHovered, this, &ShadowMapView::showReadout);
   connect(canvas_, &ShadowMapCanvas::texelHovered, this, &ShadowMapView::texelHovered);
   connect(canvas_, &ShadowMapCanvas::texelClicked, this, &ShadowMapView::texelClicked);
-  connect(canvas_, &ShadowMapCanvas::left, readout_, &QLabel::clear);
+  connect(canvas_, &ShadowMapCanvas::left, this, &ShadowMapView::showLegend);
 }
 
 void ShadowMapView::setChannels(const QStringList& names, const QString& current) {
@@ -89,7 +84,6 @@ void ShadowMapView::setImage(Image<float> values, int channel) {
       one.values()[i] = values.values()[i * step + std::size_t(channel)];
     canvas_->setValues(std::move(one));
   }
-  readout_->clear();
   showLegend();
 }
 
@@ -103,7 +97,6 @@ void ShadowMapView::setImage(const DepthMap& depth) {
 void ShadowMapView::clear() {
   canvas_->setValues({});
   clearRegion();
-  readout_->clear();
   showLegend();
 }
 
@@ -125,13 +118,15 @@ void ShadowMapView::fit() {
 }
 
 void ShadowMapView::showReadout(int x, int y) {
-  readout_->setText(
-      QString("%1, %2   %3").arg(x).arg(y).arg(style::figure(double(canvas_->valueAt({x, y})))));
+  showLegend();
+  legend_->setLabel(
+      tr("texel %1, %2 · %3").arg(x).arg(y).arg(style::figure(double(canvas_->valueAt({x, y})))));
 }
 
 void ShadowMapView::showLegend() {
   legend_->setVisible(!canvas_->empty());
-  legend_->setScale(canvas_->colourMap(), canvas_->low(), canvas_->high(), QString());
+  legend_->setScale(canvas_->colourMap(), canvas_->low(), canvas_->high(),
+                    currentChannel().isEmpty() ? tr("depth") : currentChannel());
 }
 
 }  // namespace umbra

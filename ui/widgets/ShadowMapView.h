@@ -9,7 +9,6 @@
 #include "ui/widgets/Card.h"
 
 class QComboBox;
-class QLabel;
 class QToolButton;
 
 namespace umbra {
@@ -58,7 +57,6 @@ class ShadowMapView : public Card {
   QToolButton* regionButton_;
   ShadowMapCanvas* canvas_;
   ColourBar* legend_;
-  QLabel* readout_;
 };
 
 }  // namespace umbra

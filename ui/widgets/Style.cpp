@@ -23,7 +23,7 @@ QString withTrueMinus(QString number) {
 QFont figures(const QFont& base) {
   if (digitsAlign(base)) return base;
   QFont other = base;
-  other.setFamily("DejaVu Sans");
+  other.setFamilies({"DejaVu Sans Condensed", "DejaVu Sans", "Liberation Sans"});
   return other;
 }
 
@@ -66,10 +66,13 @@ QString sheet() {
                                 background: transparent; }
     QDoubleSpinBox:hover, QDoubleSpinBox:focus, QLineEdit { border-color: %2; background: white; }
     QLineEdit:focus { border-color: %1; }
+    QToolButton { border: none; border-radius: 3px; padding: 2px 4px; color: %4; }
+    QToolButton:hover { background: %5; color: %3; }
+    QToolButton:disabled { color: #c3cad2; }
     QTableView { border: none; background: transparent; }
     QListView { border: none; background: transparent; }
   )")
-      .arg(accent.name(), border.name(), ink.name());
+      .arg(accent.name(), border.name(), ink.name(), muted.name(), ground.name());
 }
 
 }  // namespace umbra::style

@@ -64,8 +64,6 @@ TechniqueList::TechniqueList(QWidget* parent)
   list_->setItemDelegate(new TechniqueDelegate(list_));
   list_->setMouseTracking(true);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  list_->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
-  list_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   body()->addWidget(list_);
   body()->addStretch();
   connect(list_, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
@@ -88,7 +86,7 @@ void TechniqueList::setTechniques(const std::vector<const Technique*>& technique
     ++digit;
   }
   setCurrent(before);
-  list_->updateGeometry();
+  list_->setFixedHeight(list_->count() == 0 ? 0 : list_->count() * list_->sizeHintForRow(0) + 2);
 }
 
 void TechniqueList::setCurrent(const QString& id) {

@@ -1,0 +1,20 @@
+#include "ui/widgets/ElidedLabel.h"
+
+#include <QPainter>
+
+namespace umbra {
+
+QSize ElidedLabel::minimumSizeHint() const {
+  return {fontMetrics().horizontalAdvance("MM…"), QLabel::minimumSizeHint().height()};
+}
+
+void ElidedLabel::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setPen(palette().color(QPalette::WindowText));
+  const QString shown = fontMetrics().elidedText(text(), Qt::ElideRight, width());
+  painter.drawText(rect(), int(alignment() | Qt::AlignVCenter), shown);
+  // The whole of it is in the tool tip where it is cut.
+  setToolTip(shown == text() ? QString() : text());
+}
+
+}  // namespace umbra
