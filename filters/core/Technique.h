@@ -34,6 +34,7 @@ struct TechniqueInfo {
   int order = 100;            // place in lists: simple before complicated
   bool upperBound = false;    // never below the reference, in exact arithmetic and at its defaults
   bool prefilterable = true;  // false: visibility reads the region's raw texels
+  bool adaptsToDepth = false;  // whether adapt() does anything: the map is read back for it
   std::string_view colour;    // "#rrggbb", the same in every plot, table and pane
 };
 

@@ -13,13 +13,12 @@
 #include "filters/core/Light.h"
 #include "filters/core/Scene.h"
 #include "filters/core/Technique.h"
+#include "filters/gpu/BakeStage.h"
 
 class vtkRenderer;
 class vtkRenderWindow;
 
 namespace umbra {
-
-enum class BakeStage { Encoded, Prefiltered };
 
 // What the shaded frame knows of one pixel.
 struct SurfacePoint {

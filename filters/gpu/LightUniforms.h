@@ -1,0 +1,19 @@
+// What the depth pass and the shading pass both tell their shaders of the light.
+#pragma once
+
+#include "filters/core/Light.h"
+#include "filters/gpu/gl/Program.h"
+
+namespace umbra {
+
+// umbraLightToClip, umbraSpot, umbraNear and umbraPerDistance of `program`.
+inline void setLightUniforms(GLuint program, const LightFrame& frame) {
+  const Eigen::Matrix4f lightToClip = frame.lightToClip.cast<float>();
+  gl::setUniformMatrix4(program, "umbraLightToClip", lightToClip.data());
+  gl::setUniform(program, "umbraSpot", frame.kind == LightKind::Spot ? 1 : 0);
+  gl::setUniform(program, "umbraNear", float(frame.nearDistance));
+  gl::setUniform(program, "umbraPerDistance",
+                 float(1.0 / (frame.farDistance - frame.nearDistance)));
+}
+
+}  // namespace umbra

@@ -1,0 +1,44 @@
+// A scene as VTK draws it: one actor per object, one merged caster for the light, the lights.
+#pragma once
+
+#include <vtkActor.h>
+#include <vtkLight.h>
+#include <vtkSmartPointer.h>
+
+#include <vector>
+
+#include "filters/core/Light.h"
+#include "filters/core/Scene.h"
+
+class vtkRenderer;
+
+namespace umbra {
+
+class SceneActors {
+ public:
+  // Replaces the objects of the last scene in `renderer` by those of `scene`.
+  void setScene(const Scene& scene, vtkRenderer& renderer);
+  void removeFrom(vtkRenderer& renderer);
+
+  const std::vector<vtkSmartPointer<vtkActor>>& objects() const { return objects_; }
+  // Everything that casts a shadow as one mesh of positions: one draw from the light. Not in the
+  // renderer, so that the camera's culling cannot remove it.
+  vtkActor* caster() const { return caster_; }
+
+ private:
+  std::vector<vtkSmartPointer<vtkActor>> objects_;
+  vtkSmartPointer<vtkActor> caster_;
+};
+
+// The casting light, which is light 0 in VTK's shaders, and two dim ones that cast nothing, above
+// and at the camera, so that shapes can be read in the shadow.
+class SceneLights {
+ public:
+  explicit SceneLights(vtkRenderer& renderer);
+  void setLight(const Light& light);
+
+ private:
+  vtkSmartPointer<vtkLight> casting_, sky_, camera_;
+};
+
+}  // namespace umbra

@@ -1,0 +1,212 @@
+#include "filters/gpu/ShadowRenderer.h"
+
+#include <vtkCamera.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "filters/core/Error.h"
+#include "filters/gpu/GlErrors.h"
+#include "filters/gpu/SceneActors.h"
+#include "filters/gpu/vtkUmbraFramePass.h"
+
+namespace umbra {
+namespace {
+
+Eigen::Vector3d toVector(const double* values) {
+  return {values[0], values[1], values[2]};
+}
+
+}  // namespace
+
+class ShadowRenderer::Implementation {
+ public:
+  explicit Implementation(vtkRenderWindow& w) : window(w), lights(*renderer) {
+    renderer->SetBackground(0.93, 0.94, 0.96);
+    renderer->SetPass(pass);
+    window.AddRenderer(renderer);
+  }
+  ~Implementation() {
+    window.MakeCurrent();
+    actors.removeFrom(*renderer);
+    renderer->SetPass(nullptr);
+    pass->ReleaseGraphicsResources(&window);
+    window.RemoveRenderer(renderer);
+  }
+
+  void updateLight() {
+    lights.setLight(light);
+    if (scene) pass->SetLightFrame(fitLightFrame(light, scene->lightBounds()));
+  }
+
+  // For read-backs: throws when there is nothing to read.
+  void requireFrame() {
+    if (!pass->HasFrame())
+      throw Error(ErrorKind::WorkFailed, "no frame has been rendered that could be read back");
+    window.MakeCurrent();
+  }
+
+  // World position of pixel (x, y), y up, at camera depth [0,1].
+  Eigen::Vector3d unproject(int x, int y, double depth) const {
+    int width = 0, height = 0, left = 0, bottom = 0;
+    renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
+    const vtkMatrix4x4* m = renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
+        renderer->GetTiledAspectRatio(), -1.0, 1.0);
+    Eigen::Matrix4d worldToClip;
+    for (int i = 0; i < 16; ++i) worldToClip(i / 4, i % 4) = m->GetElement(i / 4, i % 4);
+    const Eigen::Vector4d clip(2.0 * (x + 0.5) / width - 1.0, 2.0 * (y + 0.5) / height - 1.0,
+                               2.0 * depth - 1.0, 1.0);
+    return (worldToClip.inverse() * clip).hnormalized();
+  }
+
+  vtkRenderWindow& window;
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkUmbraFramePass> pass;
+  SceneActors actors;
+  SceneLights lights;
+  std::shared_ptr<const Scene> scene;
+  Light light;
+};
+
+ShadowRenderer::ShadowRenderer(vtkRenderWindow& window)
+    : implementation_(std::make_unique<Implementation>(window)) {}
+
+ShadowRenderer::~ShadowRenderer() = default;
+
+void ShadowRenderer::setScene(std::shared_ptr<const Scene> scene) {
+  Implementation& my = *implementation_;
+  if (!scene || scene->triangleCount() == 0)
+    throw Error(ErrorKind::BadInput, "scene: there is no triangle to draw");
+  // Actors of the last scene free their buffers.
+  my.window.MakeCurrent();
+  my.actors.setScene(*scene, *my.renderer);
+  my.pass->SetScene(my.actors);
+  my.scene = std::move(scene);
+  my.updateLight();
+}
+
+void ShadowRenderer::setLight(const Light& light) {
+  implementation_->light = light;
+  implementation_->updateLight();
+}
+
+void ShadowRenderer::setCamera(const Camera& camera) {
+  vtkCamera* vtk = implementation_->renderer->GetActiveCamera();
+  vtk->SetPosition(camera.position.x(), camera.position.y(), camera.position.z());
+  vtk->SetFocalPoint(camera.target.x(), camera.target.y(), camera.target.z());
+  vtk->SetViewUp(camera.up.x(), camera.up.y(), camera.up.z());
+  vtk->SetViewAngle(camera.viewAngle);
+}
+
+void ShadowRenderer::setFrame(const FrameSettings& settings) {
+  implementation_->pass->SetSettings(settings);
+}
+
+void ShadowRenderer::setTechnique(const Technique& technique) {
+  implementation_->pass->SetTechnique(technique);
+}
+
+Camera ShadowRenderer::camera() const {
+  vtkCamera* vtk = implementation_->renderer->GetActiveCamera();
+  Camera camera;
+  camera.position = toVector(vtk->GetPosition());
+  camera.target = toVector(vtk->GetFocalPoint());
+  camera.up = toVector(vtk->GetViewUp());
+  camera.viewAngle = vtk->GetViewAngle();
+  return camera;
+}
+
+vtkRenderer& ShadowRenderer::renderer() {
+  return *implementation_->renderer;
+}
+
+LightFrame ShadowRenderer::lightFrame() const {
+  return implementation_->pass->GetLightFrame();
+}
+
+void ShadowRenderer::render() {
+  Implementation& my = *implementation_;
+  const VtkErrors errors;
+  my.renderer->ResetCameraClippingRange();
+  my.window.Render();
+  my.pass->RethrowError();
+  if (!errors.messages().empty())
+    throw Error(ErrorKind::WorkFailed, "VTK: " + errors.messages().front());
+}
+
+Image<std::uint8_t> ShadowRenderer::colour() {
+  Implementation& my = *implementation_;
+  my.requireFrame();
+  const int* size = my.window.GetSize();
+  const int width = size[0], height = size[1];
+  vtkNew<vtkUnsignedCharArray> pixels;
+  my.window.GetPixelData(0, 0, width - 1, height - 1, 1, pixels);
+  Image<std::uint8_t> image(width, height, 3);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (int c = 0; c < 3; ++c)
+        image(x, y, c) = pixels->GetTypedComponent(vtkIdType(height - 1 - y) * width + x, c);
+  return image;
+}
+
+Image<float> ShadowRenderer::surfaces() {
+  implementation_->requireFrame();
+  const gl::Texture& texture = implementation_->pass->GetShading().GetSurfaces();
+  return gl::flipped(texture.width(), texture.height(), 4, texture.read(4));
+}
+
+std::optional<SurfacePoint> ShadowRenderer::surfaceAt(int x, int y) {
+  Implementation& my = *implementation_;
+  my.requireFrame();
+  const gl::Texture& surfaces = my.pass->GetShading().GetSurfaces();
+  if (x < 0 || y < 0 || x >= surfaces.width() || y >= surfaces.height()) return {};
+  const int row = surfaces.height() - 1 - y;
+  float values[4], depth = 1.0f;
+  glGetTextureSubImage(surfaces.name(), 0, x, row, 0, 1, 1, 1, GL_RGBA, GL_FLOAT, sizeof values,
+                       values);
+  if (values[0] < 0.0f) return {};
+  glGetTextureSubImage(my.pass->GetShading().GetDepth().name(), 0, x, row, 0, 1, 1, 1,
+                       GL_DEPTH_COMPONENT, GL_FLOAT, sizeof depth, &depth);
+  SurfacePoint point;
+  point.u = values[0];
+  point.v = values[1];
+  point.receiver = std::abs(values[2]);
+  point.visibility = values[3];
+  point.facesLight = !std::signbit(values[2]);
+  point.world = my.unproject(x, row, depth);
+  return point;
+}
+
+Image<float> ShadowRenderer::reference() {
+  implementation_->requireFrame();
+  const gl::Texture& texture = implementation_->pass->GetShading().GetSurfaces();
+  const std::vector<float> both = implementation_->pass->EvaluateSurfaces();
+  std::vector<float> reference(both.size() / 2);
+  for (std::size_t i = 0; i < reference.size(); ++i) reference[i] = both[2 * i + 1];
+  return gl::flipped(texture.width(), texture.height(), 1, reference);
+}
+
+const DepthMap& ShadowRenderer::depthMap() {
+  implementation_->requireFrame();
+  return implementation_->pass->GetDepthMap();
+}
+
+Image<float> ShadowRenderer::channels(BakeStage stage) {
+  implementation_->requireFrame();
+  return implementation_->pass->GetBaker().read(stage);
+}
+
+std::vector<PassTime> ShadowRenderer::passTimes() const {
+  implementation_->window.MakeCurrent();
+  std::vector<PassTime> times;
+  for (const gl::PassTimer::Time& time : implementation_->pass->GetTimer().times())
+    times.push_back({time.pass, time.milliseconds});
+  return times;
+}
+
+}  // namespace umbra

@@ -1,0 +1,66 @@
+#include "filters/gpu/gl/Texture.h"
+
+#include <algorithm>
+
+namespace umbra::gl {
+namespace {
+
+GLenum transferFormat(int components) {
+  static constexpr GLenum formats[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
+  return formats[components - 1];
+}
+
+}  // namespace
+
+Texture::Texture(GLenum internalFormat, int width, int height, int layers)
+    : format_(internalFormat), width_(width), height_(height), layers_(layers) {
+  GLuint name = 0;
+  glCreateTextures(layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D, 1, &name);
+  handle_ = TextureHandle(name);
+  if (layers > 0)
+    glTextureStorage3D(name, 1, internalFormat, width, height, layers);
+  else
+    glTextureStorage2D(name, 1, internalFormat, width, height);
+  glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTextureParameteri(name, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTextureParameteri(name, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+void Texture::require(GLenum internalFormat, int width, int height, int layers) {
+  if (handle_ && format_ == internalFormat && width_ == width && height_ == height &&
+      layers_ == layers)
+    return;
+  // Free first: two large arrays at once may not fit.
+  handle_.reset();
+  *this = Texture(internalFormat, width, height, layers);
+}
+
+std::vector<float> Texture::read(int components) const {
+  std::vector<float> values(std::size_t(width_) * height_ * std::max(layers_, 1) * components);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glGetTextureImage(name(), 0, transferFormat(components), GL_FLOAT,
+                    GLsizei(values.size() * sizeof(float)), values.data());
+  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  return values;
+}
+
+void Texture::upload(int components, const std::vector<float>& values) {
+  const GLenum format = transferFormat(components);
+  if (layers_ > 0)
+    glTextureSubImage3D(name(), 0, 0, 0, 0, width_, height_, layers_, format, GL_FLOAT,
+                        values.data());
+  else
+    glTextureSubImage2D(name(), 0, 0, 0, width_, height_, format, GL_FLOAT, values.data());
+}
+
+Image<float> flipped(int width, int height, int channels, const std::vector<float>& values) {
+  Image<float> image(width, height, channels);
+  const std::size_t row = std::size_t(width) * channels;
+  for (int y = 0; y < height; ++y)
+    std::copy_n(values.begin() + std::size_t(height - 1 - y) * row, row,
+                image.values().begin() + std::size_t(y) * row);
+  return image;
+}
+
+}  // namespace umbra::gl

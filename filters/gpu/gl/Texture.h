@@ -1,0 +1,41 @@
+// Textures of fixed storage, made and read without touching any binding (OpenGL 4.5).
+#pragma once
+
+#include <vector>
+
+#include "filters/core/Image.h"
+#include "filters/gpu/gl/Handle.h"
+
+namespace umbra::gl {
+
+// A 2D texture, or an array of them.
+class Texture {
+ public:
+  Texture() = default;
+  // `layers` 0 makes a plain 2D texture. Sampled by texelFetch only: nearest, one level.
+  Texture(GLenum internalFormat, int width, int height, int layers = 0);
+
+  // Makes it anew unless it is as asked already.
+  void require(GLenum internalFormat, int width, int height, int layers = 0);
+
+  GLuint name() const { return handle_.name(); }
+  int width() const { return width_; }
+  int height() const { return height_; }
+  int layers() const { return layers_; }
+  GLenum format() const { return format_; }
+  explicit operator bool() const { return bool(handle_); }
+
+  // `components` floats a texel, in the texture's own row order; array layers follow each other.
+  std::vector<float> read(int components) const;
+  void upload(int components, const std::vector<float>& values);
+
+ private:
+  TextureHandle handle_;
+  GLenum format_ = 0;
+  int width_ = 0, height_ = 0, layers_ = 0;
+};
+
+// Rows in the opposite order: OpenGL's pictures have their bottom row first.
+Image<float> flipped(int width, int height, int channels, const std::vector<float>& values);
+
+}  // namespace umbra::gl

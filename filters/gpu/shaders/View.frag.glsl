@@ -1,0 +1,36 @@
+// Shows the shaded picture, or one quantity of it, and hands the scene's depth to what is drawn
+// over it.
+
+uniform sampler2D umbraColour;    // the shaded picture
+uniform sampler2D umbraSurfaces;  // u, v, z_r, visibility; u < 0 where there is no surface
+uniform sampler2D umbraDepth;     // of the camera, [0,1]
+uniform int umbraView;            // 0 shaded, 1 visibility, 2 error, 3 depth
+uniform ivec2 umbraOrigin;        // of the viewport in the window, pixels
+
+layout(location = 0) out vec4 umbraShown;
+
+// Zero is white; bleeding (positive) goes to red, over-darkening to blue.
+vec3 umbraErrorColour(float error) {
+  vec3 end = error > 0.0 ? vec3(0.79, 0.0, 0.12) : vec3(0.02, 0.31, 0.73);
+  return mix(vec3(1.0), end, min(abs(error), 1.0));
+}
+
+float umbraError(vec4 surface) {
+  // What faces away receives nothing from the light, whatever the visibility.
+  if (surface.z < 0.0 || any(greaterThan(abs(surface.xy - 0.5), vec2(0.5)))) return 0.0;
+  umbraPosition = surface.xy * vec2(textureSize(umbraDepthMap, 0));
+  return surface.w - umbraPercentageCloser(surface.z);
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy) - umbraOrigin;
+  vec4 surface = texelFetch(umbraSurfaces, pixel, 0);
+  if (surface.x < 0.0) discard;  // the background is the window's
+  vec4 colour = texelFetch(umbraColour, pixel, 0);
+  gl_FragDepth = texelFetch(umbraDepth, pixel, 0).r;
+  umbraShown = vec4(colour.rgb, 1.0);
+  if (umbraView == 0) return;
+  if (umbraView == 1) umbraShown.rgb = vec3(surface.z < 0.0 ? 0.0 : surface.w);
+  if (umbraView == 2) umbraShown.rgb = umbraErrorColour(umbraError(surface));
+  if (umbraView == 3) umbraShown.rgb = vec3(1.0 - abs(surface.z));
+}

@@ -1,0 +1,255 @@
+#include "filters/gpu/vtkUmbraFramePass.h"
+
+#include <vtkActor.h>
+#include <vtkDefaultPass.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLShaderCache.h>
+#include <vtkOpenGLState.h>
+#include <vtkProperty.h>
+#include <vtkRenderState.h>
+#include <vtkRenderer.h>
+
+#include <utility>
+
+#include "FullScreen_vert_glsl.h"
+#include "ShadowMapRead_glsl.h"
+#include "View_frag_glsl.h"
+#include "filters/core/Error.h"
+#include "filters/gpu/SceneActors.h"
+#include "filters/gpu/TechniqueShader.h"
+
+namespace umbra {
+namespace {
+
+vtkOpenGLRenderWindow* windowOf(vtkRenderer* renderer) {
+  return static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+}
+
+bool sameTechnique(Technique& a, Technique& b) {
+  if (a.info().id != b.info().id) return false;
+  const std::vector<Parameter> left = a.parameters(), right = b.parameters();
+  for (std::size_t i = 0; i < left.size(); ++i)
+    if (left[i].get() != right[i].get()) return false;
+  return true;
+}
+
+// As View.frag.glsl counts them. The techniques so far have no layers to tint.
+int viewNumber(ViewMode view) {
+  switch (view) {
+    case ViewMode::Shaded:
+    case ViewMode::Layers:
+      return 0;
+    case ViewMode::Visibility:
+      return 1;
+    case ViewMode::Error:
+      return 2;
+    case ViewMode::Depth:
+      return 3;
+  }
+  return 0;
+}
+
+}  // namespace
+
+vtkStandardNewMacro(vtkUmbraFramePass);
+
+vtkUmbraFramePass::vtkUmbraFramePass()
+    : Depth(vtkSmartPointer<vtkUmbraDepthPass>::New()),
+      Shading(vtkSmartPointer<vtkUmbraShadingPass>::New()),
+      Others(vtkSmartPointer<vtkDefaultPass>::New()) {}
+
+vtkUmbraFramePass::~vtkUmbraFramePass() = default;
+
+void vtkUmbraFramePass::SetScene(const SceneActors& actors) {
+  this->SceneProps.clear();
+  for (const auto& actor : actors.objects()) this->SceneProps.insert(actor);
+  this->Caster = actors.caster();
+  this->MakeStale(Stage::Depth);
+}
+
+void vtkUmbraFramePass::SetLightFrame(const LightFrame& frame) {
+  const LightFrame& old = this->Frame;
+  if (this->HasLightFrame && old.kind == frame.kind && old.worldToLight == frame.worldToLight &&
+      old.lightToClip == frame.lightToClip && old.nearDistance == frame.nearDistance &&
+      old.farDistance == frame.farDistance)
+    return;
+  this->Frame = frame;
+  this->HasLightFrame = true;
+  this->MakeStale(Stage::Depth);
+}
+
+void vtkUmbraFramePass::SetSettings(const FrameSettings& settings) {
+  const FrameSettings old = std::exchange(this->Settings, settings);
+  if (old.map.size != settings.map.size || old.bias.cullFrontFaces != settings.bias.cullFrontFaces)
+    this->MakeStale(Stage::Depth);
+  if (old.map.format != settings.map.format) this->MakeStale(Stage::Encode);
+  if (old.kernel != settings.kernel) this->MakeStale(Stage::Prefilter);
+}
+
+void vtkUmbraFramePass::SetTechnique(const Technique& technique) {
+  std::unique_ptr<Technique> copy = technique.clone();
+  if (this->Asked && sameTechnique(*this->Asked, *copy)) return;
+  this->Asked = std::move(copy);
+  this->MakeStale(Stage::Encode);
+}
+
+void vtkUmbraFramePass::Render(const vtkRenderState* state) {
+  this->NumberOfRenderedProps = 0;
+  this->FrameDrawn = false;
+  try {
+    this->DrawFrame(state);
+  } catch (...) {
+    // VTK's frames on the stack expect no exception.
+    this->Error = std::current_exception();
+  }
+}
+
+void vtkUmbraFramePass::RethrowError() {
+  if (this->Error) std::rethrow_exception(std::exchange(this->Error, nullptr));
+}
+
+void vtkUmbraFramePass::DrawFrame(const vtkRenderState* state) {
+  vtkRenderer* renderer = state->GetRenderer();
+  std::vector<vtkProp*> own, others;
+  for (int i = 0; i < state->GetPropArrayCount(); ++i) {
+    vtkProp* prop = state->GetPropArray()[i];
+    (this->SceneProps.count(prop) ? own : others).push_back(prop);
+  }
+  this->Timer.startFrame();
+  const bool complete = this->Caster && this->Asked && this->HasLightFrame;
+  if (complete) this->Bake(state);
+
+  this->ClearLights(renderer);
+  this->UpdateLightGeometry(renderer);
+  this->UpdateLights(renderer);
+  this->UpdateCamera(renderer);  // clears the window as well
+  if (complete) {
+    vtkRenderState scene(renderer);
+    scene.SetPropArrayAndCount(own.data(), int(own.size()));
+    this->Shading->SetTechnique(this->Adapted.get());
+    this->Shading->SetMaps(&this->Baker.depthMap(), &this->Baker.channelMap());
+    this->Shading->SetLightFrame(this->Frame);
+    this->Shading->SetSettings(this->Settings);
+    {
+      const gl::PassTimer::Scope time(this->Timer, "shade");
+      this->Shading->Render(&scene);
+    }
+    this->NumberOfRenderedProps += this->Shading->GetNumberOfRenderedProps();
+    const gl::PassTimer::Scope time(this->Timer, "view");
+    this->Show(renderer);
+    this->FrameDrawn = true;
+  }
+  vtkRenderState rest(renderer);
+  rest.SetPropArrayAndCount(others.data(), int(others.size()));
+  this->Others->Render(&rest);
+  this->NumberOfRenderedProps += this->Others->GetNumberOfRenderedProps();
+}
+
+void vtkUmbraFramePass::Bake(const vtkRenderState* state) {
+  if (this->Stale == Stage::Nothing) return;
+  if (this->Stale == Stage::Depth) this->BakeDepth(state);
+  // VTK remembers which program it bound last; the baker binds others.
+  windowOf(state->GetRenderer())->GetShaderCache()->ReleaseCurrentShader();
+  if (this->Stale <= Stage::Encode) {
+    const std::string refusal = this->Asked->refusal(this->Settings.map.format);
+    if (!refusal.empty()) throw umbra::Error(ErrorKind::WorkFailed, refusal);
+    this->Adapted = this->Asked->clone();
+    if (this->Adapted->info().adaptsToDepth) this->Adapted->adapt(this->GetDepthMap());
+    this->Adapted->limitTo(this->Settings.map.format);
+    const gl::PassTimer::Scope time(this->Timer, "encode");
+    this->Baker.encode(*this->Adapted, this->Settings.map.format);
+  }
+  {
+    const gl::PassTimer::Scope time(this->Timer, "prefilter");
+    this->Baker.prefilter(this->Settings.kernel);
+  }
+  this->Stale = Stage::Nothing;
+}
+
+void vtkUmbraFramePass::BakeDepth(const vtkRenderState* state) {
+  this->DepthValues.reset();
+  const int size = this->Settings.map.size;
+  this->Baker.depthMap().require(GL_R32F, size, size);
+  // The frame's y is turned round and the winding with it: culling what OpenGL takes for back
+  // faces removes the faces towards the light.
+  this->Caster->GetProperty()->SetBackfaceCulling(this->Settings.bias.cullFrontFaces);
+  this->Depth->SetCaster(this->Caster);
+  this->Depth->SetLightFrame(this->Frame);
+  this->Depth->SetTarget(&this->Baker.depthMap());
+  const gl::PassTimer::Scope time(this->Timer, "depth");
+  this->Depth->Render(state);
+}
+
+void vtkUmbraFramePass::Show(vtkRenderer* renderer) {
+  vtkOpenGLState* gl = windowOf(renderer)->GetState();
+  windowOf(renderer)->GetShaderCache()->ReleaseCurrentShader();
+  const vtkOpenGLState::ScopedglDepthFunc depthFunction(gl);
+  const vtkOpenGLState::ScopedglEnableDisable blend(gl, GL_BLEND);
+  const vtkOpenGLState::ScopedglEnableDisable depthTest(gl, GL_DEPTH_TEST);
+  const vtkOpenGLState::ScopedglEnableDisable cull(gl, GL_CULL_FACE);
+  gl->vtkglDisable(GL_BLEND);
+  gl->vtkglDisable(GL_CULL_FACE);
+  gl->vtkglEnable(GL_DEPTH_TEST);  // nothing is written to the depth buffer without
+  gl->vtkglDepthFunc(GL_ALWAYS);
+  gl->vtkglDepthMask(GL_TRUE);
+
+  const std::string fragment =
+      std::string("#version 430\n#define UMBRA_CHANNELS 1\n") + ShadowMapRead_glsl + View_frag_glsl;
+  const GLuint program = this->Programs.screen("view", FullScreen_vert_glsl, fragment);
+  int width = 0, height = 0, left = 0, bottom = 0;
+  renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
+  const std::pair<const char*, GLuint> textures[] = {
+      {"umbraDepthMap", this->Baker.depthMap().name()},
+      {"umbraColour", this->Shading->GetColour().name()},
+      {"umbraSurfaces", this->Shading->GetSurfaces().name()},
+      {"umbraDepth", this->Shading->GetDepth().name()}};
+  for (int unit = 0; unit < 4; ++unit) {
+    gl::setUniform(program, textures[unit].first, unit);
+    glBindTextureUnit(GLuint(unit), textures[unit].second);
+  }
+  gl::setUniform(program, "umbraView", viewNumber(this->Settings.view));
+  gl::setUniform(program, "umbraOrigin", left, bottom);
+  setReadUniforms(program, this->Settings.kernel, this->Settings.read);
+
+  if (!this->NoVertices) {
+    GLuint name = 0;
+    glCreateVertexArrays(1, &name);
+    this->NoVertices = gl::VertexArrayHandle(name);
+  }
+  glUseProgram(program);
+  glBindVertexArray(this->NoVertices.name());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glBindVertexArray(0);
+  glUseProgram(0);
+}
+
+const DepthMap& vtkUmbraFramePass::GetDepthMap() {
+  if (!this->DepthValues) {
+    const gl::Texture& texture = this->Baker.depthMap();
+    const std::vector<float> values = texture.read(1);
+    this->DepthValues.emplace(texture.width(), texture.height());
+    std::copy(values.begin(), values.end(), this->DepthValues->values().begin());
+  }
+  return *this->DepthValues;
+}
+
+std::vector<float> vtkUmbraFramePass::EvaluateSurfaces() {
+  return this->Baker.evaluate(this->Shading->GetSurfaces(), *this->Adapted, this->Settings.kernel,
+                              this->Settings.read);
+}
+
+void vtkUmbraFramePass::ReleaseGraphicsResources(vtkWindow* window) {
+  this->Depth->ReleaseGraphicsResources(window);
+  this->Shading->ReleaseGraphicsResources(window);
+  this->Others->ReleaseGraphicsResources(window);
+  if (this->Caster) this->Caster->ReleaseGraphicsResources(window);
+  this->Baker.releaseGraphicsResources();
+  this->Programs.clear();
+  this->NoVertices.reset();
+  this->Timer.clear();
+  this->FrameDrawn = false;
+  this->Stale = Stage::Depth;
+}
+
+}  // namespace umbra

@@ -1,0 +1,89 @@
+// The whole frame: bakes what is stale, shades the scene, shows the asked view of it, and draws
+// everybody else's props over it.
+#pragma once
+
+#include <vtkRenderPass.h>
+#include <vtkSmartPointer.h>
+
+#include <exception>
+#include <memory>
+#include <optional>
+#include <unordered_set>
+
+#include "filters/core/FrameSettings.h"
+#include "filters/core/Light.h"
+#include "filters/core/Technique.h"
+#include "filters/gpu/ChannelBaker.h"
+#include "filters/gpu/gl/PassTimer.h"
+#include "filters/gpu/vtkUmbraDepthPass.h"
+#include "filters/gpu/vtkUmbraShadingPass.h"
+
+class vtkActor;
+class vtkDefaultPass;
+
+namespace umbra {
+
+class SceneActors;
+
+class vtkUmbraFramePass : public vtkRenderPass {
+ public:
+  static vtkUmbraFramePass* New();
+  vtkTypeMacro(vtkUmbraFramePass, vtkRenderPass);
+
+  // Each makes stale what depends on it and no more.
+  void SetScene(const SceneActors& actors);
+  void SetLightFrame(const LightFrame& frame);
+  void SetSettings(const FrameSettings& settings);
+  void SetTechnique(const Technique& technique);
+
+  // Never throws: an error ends the frame and waits for RethrowError.
+  void Render(const vtkRenderState* state) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  void RethrowError();
+
+  ChannelBaker& GetBaker() { return this->Baker; }
+  const vtkUmbraShadingPass& GetShading() const { return *this->Shading; }
+  const gl::PassTimer& GetTimer() const { return this->Timer; }
+  const LightFrame& GetLightFrame() const { return this->Frame; }
+  // Whether a frame was drawn whose maps and pictures still exist.
+  bool HasFrame() const { return this->FrameDrawn; }
+  const DepthMap& GetDepthMap();
+  // Two floats a pixel, bottom row first: visibility and reference.
+  std::vector<float> EvaluateSurfaces();
+
+ protected:
+  vtkUmbraFramePass();
+  ~vtkUmbraFramePass() override;
+
+ private:
+  // What has to be done again, with everything after it.
+  enum class Stage { Depth, Encode, Prefilter, Nothing };
+  void MakeStale(Stage stage) { this->Stale = std::min(this->Stale, stage); }
+
+  void DrawFrame(const vtkRenderState* state);
+  void Bake(const vtkRenderState* state);
+  void BakeDepth(const vtkRenderState* state);
+  void Show(vtkRenderer* renderer);
+
+  vtkSmartPointer<vtkUmbraDepthPass> Depth;
+  vtkSmartPointer<vtkUmbraShadingPass> Shading;
+  vtkSmartPointer<vtkDefaultPass> Others;  // draws the props that are not the scene's
+  ChannelBaker Baker;
+  gl::ProgramCache Programs;
+  gl::VertexArrayHandle NoVertices;
+  gl::PassTimer Timer;
+
+  std::unordered_set<const vtkProp*> SceneProps;
+  vtkSmartPointer<vtkActor> Caster;
+  LightFrame Frame;
+  bool HasLightFrame = false;
+  FrameSettings Settings;
+  std::unique_ptr<Technique> Asked;    // as it was set
+  std::unique_ptr<Technique> Adapted;  // to the depth map and the format
+  Stage Stale = Stage::Depth;
+  std::optional<DepthMap> DepthValues;  // read back at most once per bake
+  bool FrameDrawn = false;
+  std::exception_ptr Error;
+};
+
+}  // namespace umbra

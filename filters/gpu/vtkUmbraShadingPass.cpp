@@ -1,0 +1,167 @@
+#include "filters/gpu/vtkUmbraShadingPass.h"
+
+#include <vtkCamera.h>
+#include <vtkMatrix4x4.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
+#include <vtkProp.h>
+#include <vtkRenderState.h>
+#include <vtkRenderer.h>
+#include <vtkShaderProgram.h>
+#include <vtkTextureUnitManager.h>
+
+#include "ShadeDeclarations_glsl.h"
+#include "ShadeImplementation_glsl.h"
+#include "filters/gpu/LightUniforms.h"
+#include "filters/gpu/TechniqueShader.h"
+
+namespace umbra {
+
+vtkStandardNewMacro(vtkUmbraShadingPass);
+
+vtkUmbraShadingPass::vtkUmbraShadingPass() {
+  this->ActiveDrawBuffers = 2;
+}
+
+void vtkUmbraShadingPass::SetTechnique(Technique* technique) {
+  this->Shaded = technique;
+  std::string text = techniqueSource(*technique);
+  if (text == this->TechniqueText) return;
+  this->TechniqueText = std::move(text);
+  this->TextTime.Modified();
+}
+
+void vtkUmbraShadingPass::SetMaps(const gl::Texture* depth, const gl::Texture* channels) {
+  this->DepthMap = depth;
+  this->ChannelMap = channels;
+}
+
+void vtkUmbraShadingPass::PrepareFramebuffer(vtkRenderer* renderer, int width, int height) {
+  this->Colour.require(GL_RGBA8, width, height);
+  this->Surfaces.require(GL_RGBA32F, width, height);
+  this->Depth.require(GL_DEPTH_COMPONENT32F, width, height);
+  if (!this->Framebuffer) {
+    GLuint name = 0;
+    glCreateFramebuffers(1, &name);
+    this->Framebuffer = gl::FramebufferHandle(name);
+  }
+  const GLuint name = this->Framebuffer.name();
+  glNamedFramebufferTexture(name, GL_COLOR_ATTACHMENT0, this->Colour.name(), 0);
+  glNamedFramebufferTexture(name, GL_COLOR_ATTACHMENT1, this->Surfaces.name(), 0);
+  glNamedFramebufferTexture(name, GL_DEPTH_ATTACHMENT, this->Depth.name(), 0);
+  const GLenum buffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+  glNamedFramebufferDrawBuffers(name, 2, buffers);
+  double background[3];
+  renderer->GetBackground(background);
+  const float colour[] = {float(background[0]), float(background[1]), float(background[2]), 1.0f};
+  const float nothing[] = {-1.0f, -1.0f, 0.0f, 1.0f}, farthest = 1.0f;
+  glClearNamedFramebufferfv(name, GL_COLOR, 0, colour);
+  glClearNamedFramebufferfv(name, GL_COLOR, 1, nothing);
+  glClearNamedFramebufferfv(name, GL_DEPTH, 0, &farthest);
+}
+
+void vtkUmbraShadingPass::Render(const vtkRenderState* state) {
+  vtkRenderer* renderer = state->GetRenderer();
+  vtkOpenGLState* gl = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())->GetState();
+  int width = 0, height = 0, left = 0, bottom = 0;
+  renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
+
+  Eigen::Matrix4d worldToView;
+  vtkMatrix4x4* view = renderer->GetActiveCamera()->GetModelViewTransformMatrix();
+  for (int i = 0; i < 16; ++i) worldToView(i / 4, i % 4) = view->GetElement(i / 4, i % 4);
+  this->ViewToLight = (this->Frame.worldToLight * worldToView.inverse()).cast<float>();
+
+  const vtkOpenGLState::ScopedglViewport viewport(gl);
+  const vtkOpenGLState::ScopedglScissor scissor(gl);
+  const vtkOpenGLState::ScopedglEnableDisable blend(gl, GL_BLEND);
+  const vtkOpenGLState::ScopedglEnableDisable scissorTest(gl, GL_SCISSOR_TEST);
+  gl->vtkglDepthMask(GL_TRUE);
+  gl->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl->vtkglDisable(GL_SCISSOR_TEST);
+  // The second target's fourth component is no opacity.
+  gl->vtkglDisable(GL_BLEND);
+  gl->vtkglEnable(GL_DEPTH_TEST);
+  this->PrepareFramebuffer(renderer, width, height);
+
+  gl->PushFramebufferBindings();
+  gl->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer.name());
+  unsigned int buffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+  gl->vtkglDrawBuffers(2, buffers);
+  gl->vtkglViewport(0, 0, width, height);
+
+  vtkTextureUnitManager* units = gl->GetTextureUnitManager();
+  this->DepthUnit = units->Allocate();
+  this->ChannelUnit = units->Allocate();
+  glBindTextureUnit(GLuint(this->DepthUnit), this->DepthMap->name());
+  glBindTextureUnit(GLuint(this->ChannelUnit), this->ChannelMap->name());
+  this->PreRender(state);
+  this->NumberOfRenderedProps = 0;
+  for (int i = 0; i < state->GetPropArrayCount(); ++i)
+    this->NumberOfRenderedProps += state->GetPropArray()[i]->RenderOpaqueGeometry(renderer);
+  this->PostRender(state);
+  units->Free(this->ChannelUnit);
+  units->Free(this->DepthUnit);
+  gl->PopFramebufferBindings();
+}
+
+void vtkUmbraShadingPass::ReleaseGraphicsResources(vtkWindow* window) {
+  this->Framebuffer.reset();
+  this->Colour = gl::Texture();
+  this->Surfaces = gl::Texture();
+  this->Depth = gl::Texture();
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+bool vtkUmbraShadingPass::PreReplaceShaderValues(std::string&, std::string&,
+                                                 std::string& fragmentShader, vtkAbstractMapper*,
+                                                 vtkProp*) {
+  // The mapper then replaces the markers that stay in the text by its own lighting.
+  vtkShaderProgram::Substitute(
+      fragmentShader, "//VTK::Light::Dec",
+      this->TechniqueText + ShadeDeclarations_glsl + "\n//VTK::Light::Dec\n", false);
+  vtkShaderProgram::Substitute(fragmentShader, "//VTK::Light::Impl",
+                               ShadeImplementation_glsl + std::string("\n//VTK::Light::Impl\n"),
+                               false);
+  return true;
+}
+
+bool vtkUmbraShadingPass::PostReplaceShaderValues(std::string&, std::string&,
+                                                  std::string& fragmentShader, vtkAbstractMapper*,
+                                                  vtkProp*) {
+  // The casting light is VTK's light 0: Phong's diffuse and specular terms, and PBR's radiance.
+  const bool diffuse =
+      vtkShaderProgram::Substitute(fragmentShader, "(df * lightColor0)", "(df * umbraLight)");
+  const bool specular =
+      vtkShaderProgram::Substitute(fragmentShader, "(sf * lightColor0)", "(sf * umbraLight)");
+  const bool physical = vtkShaderProgram::Substitute(fragmentShader, "radiance = lightColor0",
+                                                     "radiance = umbraLight");
+  if (!(diffuse && specular) && !physical) {
+    vtkErrorMacro("VTK's lighting is not written as expected; the frame has no shadows");
+    return false;
+  }
+  return true;
+}
+
+double vtkUmbraShadingPass::BiasTexels() const {
+  // From the read's position to the farthest centre of its taps, along either axis.
+  const double reach = this->Settings.kernel.effectiveRadius() +
+                       (this->Settings.read == ReadFilter::Bilinear ? 1.0 : 0.5);
+  return this->Settings.bias.slope + (this->Settings.bias.receiverPlane ? reach : 0.0);
+}
+
+bool vtkUmbraShadingPass::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper*,
+                                              vtkProp*, vtkOpenGLVertexArrayObject*) {
+  const GLuint name = GLuint(program->GetHandle());
+  gl::setUniform(name, "umbraDepthMap", this->DepthUnit);
+  gl::setUniform(name, "umbraChannelMap", this->ChannelUnit);
+  gl::setUniformMatrix4(name, "umbraViewToLight", this->ViewToLight.data());
+  gl::setUniform(name, "umbraConstantBias", float(this->Settings.bias.constant));
+  gl::setUniform(name, "umbraSlopeTexels", float(this->BiasTexels()));
+  setLightUniforms(name, this->Frame);
+  setTechniqueUniforms(name, *this->Shaded, this->Settings.map.format);
+  setReadUniforms(name, this->Settings.kernel, this->Settings.read);
+  return true;
+}
+
+}  // namespace umbra

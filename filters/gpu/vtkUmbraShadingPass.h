@@ -1,0 +1,74 @@
+// Draws the scene's own actors with VTK's lighting, in which the casting light's part is
+// multiplied by the technique's visibility; beside the colour it writes what probes need.
+#pragma once
+
+#include <vtkOpenGLRenderPass.h>
+#include <vtkTimeStamp.h>
+
+#include <string>
+
+#include "filters/core/FrameSettings.h"
+#include "filters/core/Light.h"
+#include "filters/core/Technique.h"
+#include "filters/gpu/gl/Texture.h"
+
+class vtkOpenGLRenderWindow;
+
+namespace umbra {
+
+class vtkUmbraShadingPass : public vtkOpenGLRenderPass {
+ public:
+  static vtkUmbraShadingPass* New();
+  vtkTypeMacro(vtkUmbraShadingPass, vtkOpenGLRenderPass);
+
+  // All of these must outlive the next Render.
+  void SetTechnique(Technique* technique);
+  void SetMaps(const gl::Texture* depth, const gl::Texture* channels);
+  void SetLightFrame(const LightFrame& frame) { this->Frame = frame; }
+  void SetSettings(const FrameSettings& settings) { this->Settings = settings; }
+
+  // Draws the state's opaque props at the size of the renderer. The camera and the lights must
+  // have been set up.
+  void Render(const vtkRenderState* state) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  // Bottom row first, as OpenGL has it.
+  const gl::Texture& GetColour() const { return this->Colour; }      // 8-bit RGBA
+  const gl::Texture& GetSurfaces() const { return this->Surfaces; }  // u, v, z_r, visibility
+  const gl::Texture& GetDepth() const { return this->Depth; }        // of the camera, [0,1]
+  GLuint GetFramebuffer() const { return this->Framebuffer.name(); }
+
+  bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+                              std::string& fragmentShader, vtkAbstractMapper* mapper,
+                              vtkProp* prop) override;
+  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+                               std::string& fragmentShader, vtkAbstractMapper* mapper,
+                               vtkProp* prop) override;
+  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+                           vtkOpenGLVertexArrayObject* vao) override;
+  // New when the injected text is: mappers rebuild their shaders then, and only then.
+  vtkMTimeType GetShaderStageMTime() override { return this->TextTime.GetMTime(); }
+
+ protected:
+  vtkUmbraShadingPass();
+  ~vtkUmbraShadingPass() override = default;
+
+ private:
+  void PrepareFramebuffer(vtkRenderer* renderer, int width, int height);
+  double BiasTexels() const;
+
+  Technique* Shaded = nullptr;
+  std::string TechniqueText;
+  vtkTimeStamp TextTime;
+  const gl::Texture* DepthMap = nullptr;
+  const gl::Texture* ChannelMap = nullptr;
+  LightFrame Frame;
+  FrameSettings Settings;
+  Eigen::Matrix4f ViewToLight = Eigen::Matrix4f::Identity();
+  int DepthUnit = 0, ChannelUnit = 1;
+
+  gl::Texture Colour, Surfaces, Depth;
+  gl::FramebufferHandle Framebuffer;
+};
+
+}  // namespace umbra
