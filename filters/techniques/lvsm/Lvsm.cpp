@@ -1,0 +1,78 @@
+#include "filters/techniques/lvsm/Lvsm.h"
+
+#include <string>
+
+#include "Lvsm_glsl.h"
+#include "Lvsm_md.h"
+#include "filters/core/TechniqueCatalogue.h"
+#include "filters/techniques/vsm/Chebyshev.h"
+
+namespace umbra::lvsm {
+
+const TechniqueInfo& Lvsm::info() const {
+  static constexpr TechniqueInfo info{
+      .id = "lvsm",
+      .title = "Layered variance (LVSM)",
+      .citation = "Lauritzen 2008, eq. 4.2",
+      .summary = "Stores the two moments of depth in layers, each clamped to its own interval.",
+      .formula = "v = σ² / (σ² + (φ − μ)²) in φ = clamp((z − p)/(q − p), 0, 1) of z_r's layer",
+      .order = 50,
+      .upperBound = true,
+      .colour = "#7aa6f0"};
+  return info;
+}
+
+std::vector<Parameter> Lvsm::parameters() {
+  return bindLayerParameters(TechniqueWith::parameters(), values, "lvsm");
+}
+
+std::vector<Channel> Lvsm::channels() const {
+  std::vector<Channel> channels;
+  for (int i = 1; i <= layering().count; ++i) {
+    const std::string layer = "L" + std::to_string(i);
+    channels.push_back({layer + "M1"});
+    channels.push_back({layer + "M2"});
+  }
+  return channels;
+}
+
+void Lvsm::adapt(const DepthMap& map) {
+  adaptedSplits_ = adaptedSplits(values, map);
+}
+
+void Lvsm::encode(double z, std::span<double> channels) const {
+  const Layering layers = layering();
+  for (int i = 0; i < layers.count; ++i) {
+    const double warped = layers.warp(i, z);
+    channels[2 * i] = warped;
+    channels[2 * i + 1] = warped * warped;
+  }
+}
+
+double Lvsm::visibility(const Fetch& fetch, double receiver) const {
+  const Layering layers = layering();
+  return layers.blended(receiver, [&](int i) {
+    const double m1 = fetch.channels[2 * i], m2 = fetch.channels[2 * i + 1];
+    const double warped = layers.warp(i, receiver);
+    if (warped <= m1) return 1.0;
+    const double width = layers.high(i) - layers.low(i);
+    const double bound = chebyshevUpperBound(m1, m2, warped, values.minVariance / (width * width));
+    return reduceLightBleeding(bound, values.bleedReduction);
+  });
+}
+
+std::string_view Lvsm::glsl() const {
+  return Lvsm_glsl;
+}
+std::vector<Uniform> Lvsm::derivedUniforms() const {
+  return layerUniforms(layering());
+}
+std::string_view Lvsm::page() const {
+  return Lvsm_md;
+}
+
+void addTo(TechniqueCatalogue& catalogue) {
+  catalogue.add(std::make_unique<Lvsm>());
+}
+
+}  // namespace umbra::lvsm
