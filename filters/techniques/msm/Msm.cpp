@@ -1,0 +1,60 @@
+#include "filters/techniques/msm/Msm.h"
+
+#include <algorithm>
+#include <string>
+
+#include "Msm_glsl.h"
+#include "Msm_md.h"
+#include "filters/core/TechniqueCatalogue.h"
+#include "filters/techniques/msm/Hamburger.h"
+#include "filters/techniques/vsm/Chebyshev.h"
+
+namespace umbra::msm {
+
+// Not marked as an upper bound: the moment bias lowers the result by up to half of itself.
+const TechniqueInfo& Msm::info() const {
+  static constexpr TechniqueInfo info{
+      .id = "msm",
+      .title = "Moments (MSM)",
+      .citation = "Peters & Klein 2015, algorithm 3",
+      .summary = "Stores four power moments of depth; the sharpest bound that they allow.",
+      .formula = "v = largest P(z ≥ z_r) over all distributions with moments M1 … M4",
+      .order = 90,
+      .colour = "#6b8e23"};
+  return info;
+}
+
+std::vector<std::string> Msm::limitTo(StorageFormat format) {
+  if (!isNormalised(format) || values.basis == Basis::Quantised) return {};
+  values.basis = Basis::Quantised;
+  return {"msm.basis moments loses too many digits in " + std::string(nameOf(format)) +
+          "; quantised is used"};
+}
+
+void Msm::encode(double z, std::span<double> channels) const {
+  const double z2 = z * z;
+  const Moments4 stored =
+      values.basis == Basis::Quantised ? toQuantised(z) : Moments4{z, z2, z2 * z, z2 * z2};
+  std::copy(stored.begin(), stored.end(), channels.begin());
+}
+
+double Msm::visibility(const Fetch& fetch, double receiver) const {
+  Moments4 moments;
+  std::copy_n(fetch.channels.begin(), 4, moments.begin());
+  if (values.basis == Basis::Quantised) moments = fromQuantised(moments);
+  return reduceLightBleeding(hamburgerVisibility(moments, receiver, values.momentBias),
+                             values.bleedReduction);
+}
+
+std::string_view Msm::glsl() const {
+  return Msm_glsl;
+}
+std::string_view Msm::page() const {
+  return Msm_md;
+}
+
+void addTo(TechniqueCatalogue& catalogue) {
+  catalogue.add(std::make_unique<Msm>());
+}
+
+}  // namespace umbra::msm
