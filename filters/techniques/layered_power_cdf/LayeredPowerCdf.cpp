@@ -1,0 +1,72 @@
+#include "filters/techniques/layered_power_cdf/LayeredPowerCdf.h"
+
+#include <string>
+
+#include "LayeredPowerCdf_glsl.h"
+#include "LayeredPowerCdf_md.h"
+#include "filters/core/TechniqueCatalogue.h"
+#include "filters/techniques/power_cdf/PowerVisibility.h"
+
+namespace umbra::layered_power_cdf {
+
+const TechniqueInfo& LayeredPowerCdf::info() const {
+  static constexpr TechniqueInfo info{
+      .id = "layered-power-cdf",
+      .title = "Layered power CDF",
+      .citation = "Gumbau et al. 2011, §5",
+      .summary =
+          "Stores mean, minimum and maximum of depth in layers, each clamped to its interval.",
+      .formula = "v = (1 − t^β) / (1 − (β/(β+1))^β) in φ = clamp((z − p)/(q − p), 0, 1)",
+      .order = 80,
+      .colour = "#c08fd8"};
+  return info;
+}
+
+std::vector<Parameter> LayeredPowerCdf::parameters() {
+  return bindLayerParameters(TechniqueWith::parameters(), values, "layered-power-cdf");
+}
+
+std::vector<Channel> LayeredPowerCdf::channels() const {
+  std::vector<Channel> channels;
+  for (int i = 1; i <= layering().count; ++i) {
+    const std::string layer = "L" + std::to_string(i);
+    channels.push_back({layer + "mean"});
+    channels.push_back({layer + "min", Reduction::Min});
+    channels.push_back({layer + "max", Reduction::Max});
+  }
+  return channels;
+}
+
+void LayeredPowerCdf::adapt(const DepthMap& map) {
+  adaptedSplits_ = adaptedSplits(values, map);
+}
+
+void LayeredPowerCdf::encode(double z, std::span<double> channels) const {
+  const Layering layers = layering();
+  for (int i = 0; i < layers.count; ++i)
+    channels[3 * i] = channels[3 * i + 1] = channels[3 * i + 2] = layers.warp(i, z);
+}
+
+double LayeredPowerCdf::visibility(const Fetch& fetch, double receiver) const {
+  const Layering layers = layering();
+  return layers.blended(receiver, [&](int i) {
+    return powerVisibility(fetch.channels[3 * i], fetch.channels[3 * i + 1],
+                           fetch.channels[3 * i + 2], layers.warp(i, receiver));
+  });
+}
+
+std::string_view LayeredPowerCdf::glsl() const {
+  return LayeredPowerCdf_glsl;
+}
+std::vector<Uniform> LayeredPowerCdf::derivedUniforms() const {
+  return layerUniforms(layering());
+}
+std::string_view LayeredPowerCdf::page() const {
+  return LayeredPowerCdf_md;
+}
+
+void addTo(TechniqueCatalogue& catalogue) {
+  catalogue.add(std::make_unique<LayeredPowerCdf>());
+}
+
+}  // namespace umbra::layered_power_cdf
