@@ -117,7 +117,7 @@ Plot histogramPlot(const Probe& probe, int bins) {
   plot.yLabel = "share of weight";
   plot.xRange = unitRange();
   const double highest = *std::max_element(histogram.weights.begin(), histogram.weights.end());
-  plot.yRange = PlotRange{0.0, std::min(1.0, 1.25 * highest)};
+  plot.yRange = PlotRange{0.0, 1.05 * highest};
   plot.series.push_back({"depths", std::string(depthColour), SeriesStyle::Bars, histogram.edges,
                          histogram.weights, thin});
 
@@ -142,7 +142,7 @@ Plot curvesPlot(const Probe& probe, std::string_view selected, int samples) {
             .xLabel = depthLabel(),
             .yLabel = "visibility v(z)",
             .xRange = unitRange(),
-            .yRange = PlotRange{0.0, 1.05}};
+            .yRange = PlotRange{0.0, 1.02}};
   plot.series.push_back({"exact", std::string(referenceColour), SeriesStyle::Line, curves.depth,
                          curves.reference, normal});
   std::optional<PlotSeries> emphasised;
@@ -173,7 +173,7 @@ Plot cdfPlot(const Probe& probe) {
             .xLabel = depthLabel(),
             .yLabel = "F(z)",
             .xRange = range,
-            .yRange = PlotRange{0.0, 1.05}};
+            .yRange = PlotRange{0.0, 1.02}};
 
   const EmpiricalCdf cdf = empiricalCdfOf(probe.region);
   PlotSeries exact{"exact", std::string(referenceColour), SeriesStyle::Steps};

@@ -32,18 +32,14 @@ void attachSeries(QwtPlot& widget, const PlotSeries& series, double z, bool inLe
   item->attach(&widget);
 }
 
-void setRange(QwtPlot& widget, int axis, const std::optional<PlotRange>& range) {
-  if (range)
-    widget.setAxisScale(axis, range->low, range->high);
-  else
-    widget.setAxisAutoScale(axis);
-}
-
 void draw(QwtPlot& widget, QPainter& painter, QSize size) {
   QwtPlotRenderer renderer;
   renderer.setDiscardFlag(QwtPlotRenderer::DiscardBackground);
   renderer.setDiscardFlag(QwtPlotRenderer::DiscardCanvasBackground);
-  renderer.render(&widget, &painter, QRectF(QPointF(0, 0), QSizeF(size)));
+  // Tick labels reach beyond their axes.
+  const double margin = 0.012 * size.width();
+  renderer.render(&widget, &painter,
+                  QRectF(QPointF(0, 0), QSizeF(size)).adjusted(margin / 2, margin / 2, -margin, 0));
 }
 
 // A widget, never shown, of the size on screen that `size` points have on paper.
@@ -102,18 +98,12 @@ void showPlot(QwtPlot& widget, const Plot& plot) {
   widget.setAutoReplot(false);
   widget.detachItems(QwtPlotItem::Rtti_PlotItem, true);
   applyPlotStyle(widget);
-  widget.setTitle(styledText(plot.title, TextRole::Title));
-  widget.setAxisTitle(QwtPlot::xBottom, styledText(plot.xLabel, TextRole::AxisTitle));
-  widget.setAxisTitle(QwtPlot::yLeft, styledText(plot.yLabel, TextRole::AxisTitle));
-  setRange(widget, QwtPlot::xBottom, plot.xRange);
-  setRange(widget, QwtPlot::yLeft, plot.yRange);
   // A single series is named by the title.
   const bool inLegend = plot.series.size() > 1;
   double z = 10.0;
   for (const PlotSeries& series : plot.series) attachSeries(widget, series, z += 0.1, inLegend);
   (new AnnotationItem(plot))->attach(&widget);
-  PlotFitter::of(widget).fit();
-  widget.replot();
+  PlotFitter::of(widget).setPlot(plot);
 }
 
 QImage plotImage(const Plot& plot, QSize size, double pixelRatio) {

@@ -94,6 +94,7 @@ TEST(ShowPlot, ReplacesWhatWasThere) {
     return names;
   };
   QwtPlot widget;
+  widget.resize(720, 440);
   for (const Plot& plot : {curvesPlot(probe, "vsm"), histogramPlot(probe), cdfPlot(probe)}) {
     showPlot(widget, plot);
     EXPECT_EQ(seriesIn(widget), seriesOf(plot));

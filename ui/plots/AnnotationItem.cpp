@@ -13,7 +13,7 @@
 namespace umbra {
 namespace {
 
-constexpr double gap = 4.0;            // pixels between a label and what it names
+constexpr double gap = 2.0;            // pixels between a label and what it names
 constexpr double errorBarWidth = 5.0;  // pixels
 
 QColor colourOf(const std::string& colour) {
@@ -35,7 +35,8 @@ struct AnnotationItem::Frame {
                  const std::function<std::vector<QRectF>(QSizeF)>& candidates) {
     if (label.empty()) return;
     const QwtText text = styledText(label, bold ? TextRole::ErrorLabel : TextRole::Label, colour);
-    const QSizeF size = text.textSize(text.font());
+    // Some air left and right, so that two labels in a row do not read as one.
+    const QSizeF size = text.textSize(text.font()) + QSizeF(4.0, 0.0);
     const QRectF place = placer.place(candidates(size));
     // Curves that cannot be avoided shine through a little.
     painter->fillRect(place, QColor(255, 255, 255, 205));
@@ -103,8 +104,10 @@ void AnnotationItem::drawMarkerLabel(Frame& frame, const PlotMarker& marker) con
     std::vector<QRectF> candidates;
     const QPointF position = frame.at(marker.position, marker.position);
     if (marker.axis == MarkerAxis::Vertical) {
-      for (double y = canvas.top() + 1; y + size.height() <= canvas.bottom(); y += size.height())
-        for (double x : {position.x() + gap, position.x() - gap - size.width()})
+      const double centred = std::clamp(position.x() - size.width() / 2, canvas.left(),
+                                        std::max(canvas.left(), canvas.right() - size.width()));
+      for (double y = canvas.top(); y + size.height() <= canvas.bottom(); y += size.height())
+        for (double x : {position.x() + gap, position.x() - gap - size.width(), centred})
           candidates.emplace_back(QPointF(x, y), size);
     } else {
       const double step = std::max(size.width() / 2, 1.0);
@@ -119,14 +122,20 @@ void AnnotationItem::drawMarkerLabel(Frame& frame, const PlotMarker& marker) con
 
 // Beside the bar: at its end first, since that is the value read, then along it and around it.
 void AnnotationItem::drawErrorLabel(Frame& frame, const PlotError& error) const {
+  const QRectF& canvas = frame.canvas;
   frame.drawLabel(error.label, colourOf(error.colour), true, [&](QSizeF size) {
     std::vector<QRectF> candidates;
     const QPointF from = frame.at(error.x, error.from), to = frame.at(error.x, error.to);
-    const double right = to.x() + 2 * gap, left = to.x() - 2 * gap - size.width();
+    const double right = to.x() + 4 * gap, left = to.x() - 4 * gap - size.width();
     for (double along : {to.y(), (from.y() + to.y()) / 2, from.y()})
       for (double lift : {0.5, 1.0, 0.0, 1.5, -0.5, 2.0, -1.0})
         for (double x : {right, left})
           candidates.emplace_back(QPointF(x, along - lift * size.height()), size);
+    // Above or below the bar's end, where it need not lie beside the bar.
+    const double inside =
+        std::clamp(right, canvas.left(), std::max(canvas.left(), canvas.right() - size.width()));
+    for (double lift : {1.5, 2.0, 2.5, -0.5, -1.0})
+      candidates.emplace_back(QPointF(inside, to.y() - lift * size.height()), size);
     return candidates;
   });
 }

@@ -71,7 +71,7 @@ QRectF LabelPlacer::place(const std::vector<QRectF>& candidates) {
   double lowest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     // A label that is a little further down is better than one that covers half a curve.
-    const double total = cost(candidates[i]) + 0.7 * double(i);
+    const double total = cost(candidates[i]) + 0.4 * double(i);
     if (total < lowest) {
       lowest = total;
       best = candidates[i];

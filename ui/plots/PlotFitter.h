@@ -1,28 +1,37 @@
-// Keeps a plot's ticks and legend fitting while its widget changes size.
+// Keeps a plot's ticks, titles and legend fitting while its widget changes size.
 #pragma once
 
 #include <QObject>
+
+#include "analysis/Plot.h"
 
 class QwtPlot;
 
 namespace umbra {
 
-// Lives as a child of the plot; `of` makes it once. The legend goes outside the curves, beside or
-// below them, wherever they keep more room: a matter of size alone, so that it does not jump
-// while the curves change.
+// Lives as a child of the plot's widget; `of` makes it once. The legend goes outside the curves,
+// beside or below them, wherever they keep more room: a matter of size alone, so that it does not
+// jump while the curves change. Where it would leave them none there is no legend, and titles that
+// find no room are shortened or left out: a technique's colour is the same in the tables beside.
 class PlotFitter final : public QObject {
  public:
   static PlotFitter& of(QwtPlot& widget);
 
-  void fit();
+  // From now on the widget's axes, titles and legend are those of `plot`.
+  void setPlot(const Plot& plot);
 
  protected:
   bool eventFilter(QObject* object, QEvent* event) override;
 
  private:
   explicit PlotFitter(QwtPlot& widget);
+  void fit();
+  void fitLegend();
+  void fitTitles();
+  void fitScales();
 
   QwtPlot& widget_;
+  Plot plot_;
 };
 
 }  // namespace umbra

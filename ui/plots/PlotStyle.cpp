@@ -10,6 +10,7 @@
 #include <qwt_text_label.h>
 
 #include <QApplication>
+#include <QFontMetricsF>
 #include <QPalette>
 #include <algorithm>
 #include <cmath>
@@ -75,6 +76,14 @@ QwtText styledText(const std::string& text, TextRole role, const QColor& colour)
   return styled;
 }
 
+double labelHeight() {
+  return QFontMetricsF(fontOf(TextRole::Label)).height() + 1.0;
+}
+
+double legendRowHeight() {
+  return QFontMetricsF(fontOf(TextRole::Legend)).height() + 6.0;
+}
+
 void applyPlotStyle(QwtPlot& widget) {
   widget.setAutoFillBackground(true);
   QPalette palette = widget.palette();
@@ -99,9 +108,9 @@ void applyPlotStyle(QwtPlot& widget) {
 
 void fitTickCount(QwtPlot& widget) {
   // Pixels that a label and the space around it take.
-  const int across = 60, down = 30;
+  const int across = 45, down = 26;
   widget.setAxisMaxMajor(QwtPlot::xBottom, std::clamp((widget.width() - 60) / across, 2, 10));
-  widget.setAxisMaxMajor(QwtPlot::yLeft, std::clamp((widget.height() - 60) / down, 2, 10));
+  widget.setAxisMaxMajor(QwtPlot::yLeft, std::clamp((widget.height() - 80) / down, 2, 10));
 }
 
 }  // namespace umbra
