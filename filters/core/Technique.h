@@ -34,7 +34,6 @@ struct TechniqueInfo {
   int order = 100;            // place in lists: simple before complicated
   bool upperBound = false;    // never below the reference, in exact arithmetic and at its defaults
   bool prefilterable = true;  // false: visibility reads the region's raw texels
-  bool adaptsToDepth = false;  // whether adapt() does anything: the map is read back for it
   std::string_view colour;    // "#rrggbb", the same in every plot, table and pane
 };
 
@@ -72,6 +71,8 @@ class Technique {
 
   // Sets what follows the data, such as LVSM's splits. Called once per depth map.
   virtual void adapt(const DepthMap&) {}
+  // Whether adapt() does anything with these parameters: the GPU reads its map back for it.
+  virtual bool adapts() const { return false; }
   // Why channels cannot be stored in this format; empty where they can.
   virtual std::string refusal(StorageFormat) const { return {}; }
   // Clamps parameters to what the format can hold; returns one sentence for each that it changed.

@@ -18,6 +18,7 @@
 #include "filters/core/Error.h"
 #include "filters/gpu/SceneActors.h"
 #include "filters/gpu/TechniqueShader.h"
+#include "filters/gpu/ViewColours.h"
 
 namespace umbra {
 namespace {
@@ -155,7 +156,7 @@ void vtkUmbraFramePass::Bake(const vtkRenderState* state) {
     const std::string refusal = this->Asked->refusal(this->Settings.map.format);
     if (!refusal.empty()) throw umbra::Error(ErrorKind::WorkFailed, refusal);
     this->Adapted = this->Asked->clone();
-    if (this->Adapted->info().adaptsToDepth) this->Adapted->adapt(this->GetDepthMap());
+    if (this->Adapted->adapts()) this->Adapted->adapt(this->GetDepthMap());
     this->Adapted->limitTo(this->Settings.map.format);
     const gl::PassTimer::Scope time(this->Timer, "encode");
     this->Baker.encode(*this->Adapted, this->Settings.map.format);
@@ -209,6 +210,10 @@ void vtkUmbraFramePass::Show(vtkRenderer* renderer) {
     glBindTextureUnit(GLuint(unit), textures[unit].second);
   }
   gl::setUniform(program, "umbraView", viewNumber(this->Settings.view));
+  gl::setUniform3(program, "umbraNoErrorColour", noErrorColour);
+  gl::setUniform3(program, "umbraBleedingColour", bleedingColour);
+  gl::setUniform3(program, "umbraDarkeningColour", darkeningColour);
+  gl::setUniform(program, "umbraFullError", fullError);
   gl::setUniform(program, "umbraOrigin", left, bottom);
   setReadUniforms(program, this->Settings.kernel, this->Settings.read);
 

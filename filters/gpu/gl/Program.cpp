@@ -84,6 +84,11 @@ void setUniform(GLuint program, const char* name, std::span<const float> values)
                       values.data());
 }
 
+void setUniform3(GLuint program, const char* name, std::span<const float> values) {
+  glProgramUniform3fv(program, glGetUniformLocation(program, name), GLsizei(values.size() / 3),
+                      values.data());
+}
+
 void setUniform4(GLuint program, const char* name, std::span<const float> values) {
   glProgramUniform4fv(program, glGetUniformLocation(program, name), GLsizei(values.size() / 4),
                       values.data());

@@ -32,6 +32,7 @@ void setUniform(GLuint program, const char* name, int value);
 void setUniform(GLuint program, const char* name, float value);
 void setUniform(GLuint program, const char* name, int x, int y);
 void setUniform(GLuint program, const char* name, std::span<const float> values);
+void setUniform3(GLuint program, const char* name, std::span<const float> values);
 void setUniform4(GLuint program, const char* name, std::span<const float> values);
 // Column-major, as Eigen keeps it.
 void setUniformMatrix4(GLuint program, const char* name, const float* columns);

@@ -6,13 +6,16 @@ uniform sampler2D umbraSurfaces;  // u, v, z_r, visibility; u < 0 where there is
 uniform sampler2D umbraDepth;     // of the camera, [0,1]
 uniform int umbraView;            // 0 shaded, 1 visibility, 2 error, 3 depth
 uniform ivec2 umbraOrigin;        // of the viewport in the window, pixels
+uniform vec3 umbraNoErrorColour;
+uniform vec3 umbraBleedingColour;
+uniform vec3 umbraDarkeningColour;
+uniform float umbraFullError;
 
 layout(location = 0) out vec4 umbraShown;
 
-// Zero is white; bleeding (positive) goes to red, over-darkening to blue.
 vec3 umbraErrorColour(float error) {
-  vec3 end = error > 0.0 ? vec3(0.79, 0.0, 0.12) : vec3(0.02, 0.31, 0.73);
-  return mix(vec3(1.0), end, min(abs(error), 1.0));
+  vec3 end = error > 0.0 ? umbraBleedingColour : umbraDarkeningColour;
+  return mix(umbraNoErrorColour, end, min(abs(error) / umbraFullError, 1.0));
 }
 
 float umbraError(vec4 surface) {
@@ -31,6 +34,10 @@ void main() {
   umbraShown = vec4(colour.rgb, 1.0);
   if (umbraView == 0) return;
   if (umbraView == 1) umbraShown.rgb = vec3(surface.z < 0.0 ? 0.0 : surface.w);
-  if (umbraView == 2) umbraShown.rgb = umbraErrorColour(umbraError(surface));
+  if (umbraView == 2) {
+    // A little of the shading stays, without hue, so that shapes can be told apart.
+    float shading = mix(0.7, 1.0, smoothstep(0.0, 0.8, dot(colour.rgb, vec3(0.30, 0.59, 0.11))));
+    umbraShown.rgb = shading * umbraErrorColour(umbraError(surface));
+  }
   if (umbraView == 3) umbraShown.rgb = vec3(1.0 - abs(surface.z));
 }

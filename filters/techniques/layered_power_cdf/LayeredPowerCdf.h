@@ -19,6 +19,7 @@ class LayeredPowerCdf final : public TechniqueWith<LayeredPowerCdf, LayeredPower
   std::vector<Channel> channels() const override;
   // Call again after a change of layers or placement.
   void adapt(const DepthMap& map) override;
+  bool adapts() const override { return values.placement == LayerPlacement::Lloyd; }
   void encode(double z, std::span<double> channels) const override;
   double visibility(const Fetch& fetch, double receiver) const override;
   std::string_view glsl() const override;

@@ -1,0 +1,35 @@
+// The colour maps of the view modes, for legends beside the picture: the same numbers that the
+// shaders get. Components in [0,1].
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace umbra {
+
+using ViewColour = std::array<float, 3>;
+
+// Signed error, shown over [−1, 1]: neutral at 0, red where light bleeds, blue where too dark.
+// Neutral is white; the picture dims it a little by the surface's own shading.
+inline constexpr ViewColour noErrorColour{1.0f, 1.0f, 1.0f};
+inline constexpr ViewColour bleedingColour{0.79f, 0.0f, 0.12f};
+inline constexpr ViewColour darkeningColour{0.02f, 0.31f, 0.73f};
+// The error whose colour is full.
+inline constexpr float fullError = 1.0f;
+
+inline ViewColour errorColour(double error) {
+  const ViewColour& end = error > 0.0 ? bleedingColour : darkeningColour;
+  const float share = float(std::min(std::abs(error) / fullError, 1.0));
+  ViewColour colour{};
+  for (int c = 0; c < 3; ++c) colour[c] = noErrorColour[c] + share * (end[c] - noErrorColour[c]);
+  return colour;
+}
+
+// Receiver depth z_r in [0,1]: near the light is bright, as in a picture of the shadow map.
+inline ViewColour depthColour(double z) {
+  const float grey = float(1.0 - std::clamp(z, 0.0, 1.0));
+  return {grey, grey, grey};
+}
+
+}  // namespace umbra
