@@ -110,7 +110,7 @@ FrameSettingsForm::FrameSettingsForm(QWidget* parent)
 
   setFormats({StorageFormat::Half, StorageFormat::Float});
   connectControls();
-  show();
+  showSettings();
 }
 
 FrameSettingsForm::~FrameSettingsForm() = default;
@@ -162,14 +162,14 @@ void FrameSettingsForm::connectControls() {
 
 void FrameSettingsForm::setSettings(const FrameSettings& settings) {
   shown_ = settings;
-  show();
+  showSettings();
 }
 
 FrameSettings FrameSettingsForm::settings() const {
   return shown_;
 }
 
-void FrameSettingsForm::show() {
+void FrameSettingsForm::showSettings() {
   Controls& c = *controls_;
   select(c.kernel, int(shown_.kernel.shape), {});
   select(c.read, int(shown_.read), {});
@@ -193,7 +193,7 @@ void FrameSettingsForm::show() {
 }
 
 void FrameSettingsForm::change(const QString& what) {
-  show();
+  showSettings();
   emit settingsChanged(shown_, what);
 }
 

@@ -37,7 +37,7 @@ class FrameSettingsForm : public Card {
  private:
   struct Controls;
   void connectControls();
-  void show();  // the settings into the controls
+  void showSettings();  // the settings into the controls
   void change(const QString& what);
 
   FrameSettings shown_;

@@ -49,7 +49,7 @@ class NumberRow : public ParameterRow {
   }
 
  protected:
-  void show(const ParameterValue& value) override {
+  void showValue(const ParameterValue& value) override {
     control_->setValue(whole_ ? std::get<int>(value) : std::get<double>(value));
   }
 
@@ -73,7 +73,7 @@ class ChoiceRow : public ParameterRow {
   }
 
  protected:
-  void show(const ParameterValue& value) override {
+  void showValue(const ParameterValue& value) override {
     box_->setCurrentIndex(box_->findData(QString::fromStdString(std::get<std::string>(value))));
   }
 
@@ -106,7 +106,7 @@ class ListRow : public ParameterRow {
   }
 
  protected:
-  void show(const ParameterValue& value) override {
+  void showValue(const ParameterValue& value) override {
     if (text_->hasFocus() && text_->isModified()) return;  // it is being typed
     text_->setText(QString::fromStdString(toText(value)));
     problem_->hide();
@@ -180,14 +180,14 @@ ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
   rows_->addLayout(line_);
   connect(reset_, &QToolButton::clicked, this, [this] {
     take(parameter_.defaultValue);
-    show(parameter_.defaultValue);
+    showValue(parameter_.defaultValue);
     emit finished();
   });
 }
 
 void ParameterRow::follow(const Parameter& parameter) {
   parameter_ = parameter;
-  show(parameter_.get());
+  showValue(parameter_.get());
   showReset();
 }
 

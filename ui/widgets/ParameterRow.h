@@ -31,7 +31,7 @@ class ParameterRow : public QWidget {
 
  protected:
   ParameterRow(const Parameter& parameter, QWidget* parent);
-  virtual void show(const ParameterValue& value) = 0;
+  virtual void showValue(const ParameterValue& value) = 0;
 
   // Stores it in what the row is bound to, shows whether it differs from the default, and emits.
   void take(const ParameterValue& value);

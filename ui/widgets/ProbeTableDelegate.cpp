@@ -26,6 +26,14 @@ void drawBar(QPainter& painter, const QRectF& cell, double error) {
   painter.drawLine(QPointF(middle, track.top() - 2), QPointF(middle, track.bottom() + 2));
 }
 
+// The whole title where it fits, else its abbreviation: "Variance (VSM)" becomes "VSM".
+QString fitted(const QString& title, const QFontMetrics& metrics, int width) {
+  if (metrics.horizontalAdvance(title) <= width) return title;
+  const int open = int(title.indexOf('(')), close = int(title.indexOf(')'));
+  const QString brief = open >= 0 && close > open ? title.mid(open + 1, close - open - 1) : title;
+  return metrics.elidedText(brief, Qt::ElideRight, width);
+}
+
 }  // namespace
 
 void ProbeTableDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
@@ -45,9 +53,8 @@ void ProbeTableDelegate::paint(QPainter* painter, const QStyleOptionViewItem& op
     drawBar(*painter, option.rect, index.data(ProbeTableModel::ErrorRole).toDouble());
   } else if (column == ProbeTableModel::TitleColumn) {
     const QRect text = option.rect.adjusted(chipWidth, 0, -2, 0);
-    painter->drawText(
-        text, Qt::AlignVCenter | Qt::AlignLeft,
-        QFontMetrics(font).elidedText(index.data().toString(), Qt::ElideRight, text.width()));
+    painter->drawText(text, Qt::AlignVCenter | Qt::AlignLeft,
+                      fitted(index.data().toString(), QFontMetrics(font), text.width()));
     painter->setPen(Qt::NoPen);
     painter->setBrush(colour);
     painter->drawRoundedRect(QRectF(option.rect.left() + 4, option.rect.center().y() - 4, 9, 9), 2,

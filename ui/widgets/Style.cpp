@@ -62,7 +62,7 @@ QString sheet() {
                                  background: %1; }
     QSlider::handle:horizontal:disabled { background: #c3cad2; }
     QSlider::handle:horizontal:focus { border: 1px solid %3; width: 10px; height: 10px; }
-    QDoubleSpinBox, QLineEdit { border: 1px solid transparent; border-radius: 3px; padding: 1px 3px;
+    QDoubleSpinBox, QLineEdit { border: 1px solid transparent; border-radius: 3px; padding: 1px 1px 1px 3px;
                                 background: transparent; }
     QDoubleSpinBox:hover, QDoubleSpinBox:focus, QLineEdit { border-color: %2; background: white; }
     QLineEdit:focus { border-color: %1; }
