@@ -4,6 +4,7 @@
 #include <vtkMatrix4x4.h>
 #include <vtkRenderer.h>
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 namespace umbra {

@@ -1,0 +1,141 @@
+#include "ui/CentrePane.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "ui/MessageBanner.h"
+#include "ui/Prober.h"
+#include "ui/SceneView.h"
+#include "ui/SessionController.h"
+#include "ui/widgets/Card.h"
+#include "ui/widgets/ColourBar.h"
+#include "ui/widgets/ShadowMapView.h"
+#include "ui/widgets/Style.h"
+
+namespace umbra {
+namespace {
+
+constexpr double receiverSteps = 10000.0;
+
+}  // namespace
+
+CentrePane::CentrePane(SessionController& controller, SceneView& view, Prober& prober,
+                       QWidget* parent)
+    : QWidget(parent),
+      controller_(controller),
+      view_(view),
+      prober_(prober),
+      banner_(new MessageBanner),
+      pages_(new QStackedWidget),
+      legend_(new ColourBar),
+      depth_(new ShadowMapView),
+      receiver_(new QSlider(Qt::Horizontal)),
+      receiverText_(new QLabel) {
+  setObjectName("centre");
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 9, 0, 0);  // the grip of the docks beside it
+  layout->setSpacing(6);
+  layout->addWidget(banner_);
+
+  auto* picture = new Card;
+  picture->layout()->setContentsMargins(4, 4, 4, 4);
+  picture->body()->addWidget(&view, 1);
+  auto* bar = new QHBoxLayout;
+  bar->setContentsMargins(8, 0, 8, 2);
+  bar->addWidget(legend_, 1);
+  picture->body()->addLayout(bar);
+  pages_->addWidget(picture);
+  pages_->addWidget(makeDepthPage());
+  layout->addWidget(pages_, 1);
+
+  connect(&controller_, &SessionController::changed, this, &CentrePane::refresh);
+  connect(&prober_, &Prober::reported, this, &CentrePane::showReport);
+  refresh();
+}
+
+QWidget* CentrePane::makeDepthPage() {
+  auto* page = new QWidget;
+  auto* layout = new QVBoxLayout(page);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(depth_, 1);
+  auto* card = new Card;
+  auto* row = new QHBoxLayout;
+  receiver_->setRange(0, int(receiverSteps));
+  receiverText_->setFont(style::figures(receiverText_->font()));
+  receiverText_->setMinimumWidth(60);
+  receiverText_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  row->addWidget(new QLabel(tr("Receiver depth z<sub>r</sub>")));
+  row->addWidget(receiver_, 1);
+  row->addWidget(receiverText_);
+  card->body()->addLayout(row);
+  layout->addWidget(card);
+
+  connect(receiver_, &QSlider::valueChanged, this, [this](int steps) {
+    controller_.edit(
+        tr("Change receiver depth"), [&](Session& s) { s.receiver = steps / receiverSteps; },
+        "receiver");
+  });
+  connect(receiver_, &QSlider::sliderReleased, this, [this] { controller_.endMerge(); });
+  connect(depth_, &ShadowMapView::texelHovered, this, [this](int x, int y) {
+    prober_.hover({x, y});
+  });
+  connect(depth_, &ShadowMapView::texelClicked, this, [this](int x, int y) {
+    prober_.pin({x, y});
+  });
+  return page;
+}
+
+void CentrePane::refresh() {
+  const Document& document = controller_.document();
+  const DepthMap* depth = document.content.depth.get();
+  pages_->setCurrentIndex(depth ? 1 : 0);
+  legend_->setViewMode(document.session.frame.view);
+  if (!depth) return;
+  if (depth != shownDepth_) {
+    depth_->setChannels({tr("depth")}, tr("depth"));
+    depth_->setImage(*depth);
+    depth_->fit();
+  }
+  shownDepth_ = depth;
+  const QSignalBlocker quiet(receiver_);
+  const double receiver = document.session.receiver.value_or(0.5);
+  receiver_->setValue(int(std::lround(receiver * receiverSteps)));
+  receiverText_->setText(QString::number(receiver, 'f', 4));
+}
+
+void CentrePane::showReport() {
+  const auto& report = prober_.report();
+  if (controller_.document().content.depth) {
+    if (report)
+      depth_->setRegion(report->probe.region);
+    else
+      depth_->clearRegion();
+    return;
+  }
+  view_.setHint(report ? QString()
+                       : tr("Point at a shadow to take it apart. Click to keep the point."));
+  const std::string& id = controller_.session().technique;
+  const TechniqueResult* result = report ? resultOf(report->probe, id) : nullptr;
+  if (!result) {
+    view_.setReport(report, {}, {}, false);
+    return;
+  }
+  const QString kernel = QString::fromStdString(describe(controller_.session().frame.kernel));
+  const bool wrong = std::string_view(verdictOf(result->error)) != verdictOf(0.0);
+  view_.setReport(report,
+                  tr("%1, %2 · lit %3")
+                      .arg(style::text(result->technique->info().title), kernel,
+                           QString::number(result->visibility, 'f', 3)),
+                  tr("truth %1 · %2")
+                      .arg(QString::number(report->probe.reference, 'f', 3),
+                           report->facesLight ? tr(verdictOf(result->error))
+                                              : tr("turned away from the light")),
+                  wrong);
+}
+
+}  // namespace umbra

@@ -1,0 +1,48 @@
+// The middle of the window: messages, the picture or the depth file, and what its colours mean.
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QSlider;
+class QStackedWidget;
+
+namespace umbra {
+
+class ColourBar;
+class MessageBanner;
+class Prober;
+class SceneView;
+class SessionController;
+class ShadowMapView;
+
+class CentrePane : public QWidget {
+  Q_OBJECT
+
+ public:
+  // Takes `view` over.
+  CentrePane(SessionController& controller, SceneView& view, Prober& prober,
+             QWidget* parent = nullptr);
+
+  MessageBanner& banner() { return *banner_; }
+  // The depth file as a picture to probe; shown where the session's source is one.
+  ShadowMapView& depthView() { return *depth_; }
+
+ private:
+  QWidget* makeDepthPage();
+  void refresh();
+  void showReport();
+
+  SessionController& controller_;
+  SceneView& view_;
+  Prober& prober_;
+  MessageBanner* banner_;
+  QStackedWidget* pages_;
+  ColourBar* legend_;
+  ShadowMapView* depth_;
+  QSlider* receiver_;  // ten-thousandths
+  QLabel* receiverText_;
+  const void* shownDepth_ = nullptr;  // the map that depth_ shows, to tell a new one
+};
+
+}  // namespace umbra

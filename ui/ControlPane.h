@@ -1,0 +1,37 @@
+// What one sets: the technique, its parameters, filter and map.
+#pragma once
+
+#include <QScrollArea>
+
+#include "filters/core/Parameters.h"
+
+namespace umbra {
+
+class FrameSettingsForm;
+class ParameterForm;
+class SessionController;
+class TechniqueList;
+
+class ControlPane : public QScrollArea {
+  Q_OBJECT
+
+ public:
+  explicit ControlPane(SessionController& controller, QWidget* parent = nullptr);
+
+  TechniqueList& techniques() { return *techniques_; }
+  ParameterForm& parameters() { return *parameters_; }
+  FrameSettingsForm& frame() { return *frame_; }
+
+  QSize sizeHint() const override { return {268, 400}; }
+
+ private:
+  void refresh();
+  void changeParameter(const QString& name, const ParameterValue& value);
+
+  SessionController& controller_;
+  TechniqueList* techniques_;
+  ParameterForm* parameters_;
+  FrameSettingsForm* frame_;
+};
+
+}  // namespace umbra

@@ -1,0 +1,165 @@
+#include "ui/EvidencePanes.h"
+
+#include <QEvent>
+#include <exception>
+
+#include "analysis/ProbePlots.h"
+#include "ui/Prober.h"
+#include "ui/SceneView.h"
+#include "ui/SessionController.h"
+#include "ui/widgets/PlotPane.h"
+#include "ui/widgets/ProbeTable.h"
+#include "ui/widgets/RegionTable.h"
+#include "ui/widgets/ShadowMapView.h"
+#include "ui/widgets/Style.h"
+
+namespace umbra {
+namespace {
+
+const char* const depthChannel = "depth";
+
+}  // namespace
+
+EvidencePanes::EvidencePanes(SessionController& controller, SceneView& view, Prober& prober,
+                             QObject* parent)
+    : QObject(parent),
+      controller_(controller),
+      view_(view),
+      prober_(prober),
+      map_(new ShadowMapView),
+      region_(new RegionTable),
+      curves_(new PlotPane),
+      cdf_(new PlotPane),
+      histogram_(new PlotPane),
+      lastPlot_(curves_),
+      table_(new ProbeTable) {
+  connect(&prober_, &Prober::reported, this, &EvidencePanes::refreshProbe);
+  connect(&view_, &SceneView::frameDrawn, this, &EvidencePanes::refreshMap);
+  connect(map_, &ShadowMapView::channelChosen, this, &EvidencePanes::showChannel);
+  connect(table_, &ProbeTable::techniqueChosen, this, [this](const QString& id) {
+    controller_.edit(tr("Choose technique"),
+                     [&](Session& session) { session.technique = id.toStdString(); });
+  });
+  for (PlotPane* plot : plots()) {
+    plot->installEventFilter(this);
+    plot->setMinimumSize(200, 150);
+    connect(plot, &PlotPane::message, this, &EvidencePanes::message);
+    connect(plot, &PlotPane::depthDragged, this, &EvidencePanes::dragReceiver);
+    connect(plot, &PlotPane::depthDragFinished, this, [this] { controller_.endMerge(); });
+  }
+  showHints();
+  refreshMap();
+}
+
+PlotPane& EvidencePanes::currentPlot() {
+  return lastPlot_->isVisible() ? *lastPlot_ : *curves_;
+}
+
+bool EvidencePanes::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Enter || event->type() == QEvent::Show)
+    if (auto* plot = qobject_cast<PlotPane*>(watched)) lastPlot_ = plot;
+  return QObject::eventFilter(watched, event);
+}
+
+void EvidencePanes::showHints() {
+  curves_->clear(
+      tr("Point at a shadow: the visibility that every technique\n"
+         "gives this pixel appears here, over all depths."));
+  cdf_->clear(tr("Point at a shadow: how its region's depths add up appears here."));
+  histogram_->clear(tr("Point at a shadow: the depths in its filter region appear here."));
+  table_->clear();
+  region_->clear();
+  map_->clearRegion();
+  regionShown_ = false;
+}
+
+void EvidencePanes::refreshProbe() {
+  const auto& report = prober_.report();
+  if (!report) {
+    showHints();
+    return;
+  }
+  const Probe& probe = report->probe;
+  const std::string& technique = controller_.session().technique;
+  curves_->setPlot(curvesPlot(probe, technique));
+  cdf_->setPlot(cdfPlot(probe));
+  histogram_->setPlot(histogramPlot(probe));
+  table_->setProbe(probe, style::text(technique));
+  region_->setProbe(probe);
+  map_->setRegion(probe.region);
+  // The first probe and every pinned one are brought into view; hovering leaves the zoom alone.
+  if (!regionShown_ && (report->pinned || controller_.document().content.depth)) {
+    map_->showRegion();
+    regionShown_ = true;
+  }
+  if (!report->pinned) regionShown_ = false;
+}
+
+QStringList EvidencePanes::channelNames() const {
+  QStringList names{depthChannel};
+  if (controller_.document().content.depth) return names;
+  const std::vector<Channel> channels = controller_.technique().channels();
+  if (controller_.technique().info().prefilterable)
+    for (const Channel& channel : channels)
+      names << tr("%1 filtered").arg(style::text(channel.name));
+  for (const Channel& channel : channels) names << tr("%1 encoded").arg(style::text(channel.name));
+  return names;
+}
+
+void EvidencePanes::refreshMap() {
+  const QStringList names = channelNames();
+  const QString current = map_->currentChannel();
+  map_->setChannels(names, names.contains(current) ? current : QString(depthChannel));
+  showChannel();
+}
+
+void EvidencePanes::showChannel() {
+  try {
+    const QString channel = map_->currentChannel();
+    const Content& content = controller_.document().content;
+    ShadowRenderer* frame = view_.lastFrame();
+    if (content.depth) {
+      const QString key = QString("file %1").arg(quintptr(content.depth.get()));
+      if (key != shownMap_) map_->setImage(*content.depth);
+      shownMap_ = key;
+    } else if (!frame) {
+      map_->clear();
+      shownMap_.clear();
+    } else {
+      const int index = channelNames().indexOf(channel);
+      const bool depth = index <= 0;
+      const QString key =
+          QString("%1 %2").arg(channel).arg(depth ? view_.mapRevision() : view_.channelsRevision());
+      if (key == shownMap_) return;
+      const int count = int(controller_.technique().channels().size());
+      const bool filtered = controller_.technique().info().prefilterable && index <= count;
+      if (depth)
+        map_->setImage(frame->depthMap());
+      else
+        map_->setImage(frame->channels(filtered ? BakeStage::Prefiltered : BakeStage::Encoded),
+                       (index - 1) % count);
+      shownMap_ = key;
+    }
+  } catch (const std::exception& problem) {
+    emit failed(QString::fromUtf8(problem.what()));
+  }
+}
+
+void EvidencePanes::dragReceiver(double depth) {
+  const auto& report = prober_.report();
+  if (!report) return;
+  const QSize size = view_.pixels();
+  controller_.edit(
+      tr("Drag receiver depth"),
+      [&](Session& session) {
+        session.receiver = depth;
+        if (session.probe) return;
+        session.probe = report->pixel;  // what is being studied no longer follows the pointer
+        if (!report->point) return;
+        session.width = size.width();
+        session.height = size.height();
+      },
+      "receiver");
+}
+
+}  // namespace umbra

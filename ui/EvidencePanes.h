@@ -1,0 +1,68 @@
+// The panes that show why the probed pixel is as bright as it is.
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+#include <vector>
+
+#include "filters/core/Image.h"
+
+namespace umbra {
+
+class PlotPane;
+class ProbeTable;
+class Prober;
+class RegionTable;
+class SceneView;
+class SessionController;
+class ShadowMapView;
+
+// Makes the panes and keeps them in step with probe and session. The window puts them into docks,
+// which then own them.
+class EvidencePanes : public QObject {
+  Q_OBJECT
+
+ public:
+  EvidencePanes(SessionController& controller, SceneView& view, Prober& prober,
+                QObject* parent = nullptr);
+
+  ShadowMapView& map() { return *map_; }
+  RegionTable& region() { return *region_; }
+  PlotPane& curves() { return *curves_; }
+  PlotPane& cdf() { return *cdf_; }
+  PlotPane& histogram() { return *histogram_; }
+  ProbeTable& table() { return *table_; }
+  // All plots; and the one under the pointer or last used, the curves before that.
+  std::vector<PlotPane*> plots() { return {curves_, cdf_, histogram_}; }
+  PlotPane& currentPlot();
+
+  // After a frame or a new document: the map, where it changed.
+  void refreshMap();
+
+ signals:
+  void message(const QString& text);
+  void failed(const QString& message);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void refreshProbe();
+  void showHints();
+  void showChannel();
+  QStringList channelNames() const;
+  void dragReceiver(double depth);
+
+  SessionController& controller_;
+  SceneView& view_;
+  Prober& prober_;
+  ShadowMapView* map_;
+  RegionTable* region_;
+  PlotPane *curves_, *cdf_, *histogram_;
+  PlotPane* lastPlot_;
+  ProbeTable* table_;
+  QString shownMap_;  // says which map and channel are shown, to read back only what changed
+  bool regionShown_ = false;
+};
+
+}  // namespace umbra

@@ -1,0 +1,148 @@
+#include "ui/MainWindow.h"
+
+#include <QActionGroup>
+#include <QCloseEvent>
+#include <QLabel>
+#include <QStatusBar>
+#include <QToolButton>
+#include <exception>
+
+#include "ui/CentrePane.h"
+#include "ui/ControlPane.h"
+#include "ui/EvidencePanes.h"
+#include "ui/FrameFigures.h"
+#include "ui/MessageBanner.h"
+#include "ui/Prober.h"
+#include "ui/SceneView.h"
+#include "ui/widgets/FrameSettingsForm.h"
+#include "ui/widgets/Style.h"
+
+namespace umbra {
+
+MainWindow::MainWindow(const Session& session, QWidget* parent)
+    : QMainWindow(parent),
+      controller_(session),
+      view_(new SceneView),
+      prober_(new Prober(controller_, *view_, this)),
+      evidence_(new EvidencePanes(controller_, *view_, *prober_, this)),
+      controls_(new ControlPane(controller_)),
+      centre_(new CentrePane(controller_, *view_, *prober_)),
+      modes_(new QActionGroup(this)),
+      techniques_(new QActionGroup(this)),
+      frameText_(new QLabel),
+      mapText_(new QLabel) {
+  setObjectName("umbrascope");
+  setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+  setCentralWidget(centre_);
+  makeDocks();
+  makeActions();
+  for (QLabel* label : {frameText_, mapText_}) {
+    label->setFont(style::figures(label->font()));
+    statusBar()->addPermanentWidget(label);
+  }
+  connectParts();
+  view_->showDocument(controller_.document(), controller_.technique());
+  refresh();
+}
+
+// The panes end before what they listen to.
+MainWindow::~MainWindow() {
+  disconnect(&controller_, nullptr, nullptr, nullptr);
+}
+
+void MainWindow::connectParts() {
+  connect(&controller_, &SessionController::changed, this,
+          [this](const Document& before, const Document& after) {
+            if (!(before.content == after.content)) {
+              centre_->banner().dismiss();
+              probeNextFrame_ = true;
+            }
+            view_->showDocument(after, controller_.technique());
+            evidence_->refreshMap();
+            refresh();
+          });
+  connect(&controller_, &SessionController::loadingChanged, this, [this](bool loading) {
+    if (loading) centre_->banner().showProgress(tr("Opening …"));
+  });
+  connect(&controller_, &SessionController::failed, this, &MainWindow::showError);
+  connect(view_, &SceneView::failed, this, &MainWindow::showError);
+  connect(prober_, &Prober::failed, this, &MainWindow::showError);
+  connect(evidence_, &EvidencePanes::failed, this, &MainWindow::showError);
+  connect(evidence_, &EvidencePanes::message, statusBar(),
+          [this](const QString& text) { statusBar()->showMessage(text, 6000); });
+  connect(view_, &SceneView::frameDrawn, this, &MainWindow::afterFrame);
+  connect(view_, &SceneView::cameraMoved, this, [this](const Camera& camera) {
+    controller_.edit(
+        tr("Move camera"), [&](Session& s) { s.camera = camera; }, "camera");
+  });
+  connect(view_, &SceneView::lightDragged, this, [this](const Light& light) {
+    controller_.edit(
+        tr("Move light"), [&](Session& s) { s.light = light; }, "light");
+  });
+  connect(view_, &SceneView::lightDragFinished, this, [this] { controller_.endMerge(); });
+}
+
+void MainWindow::afterFrame() {
+  showFrameFigures();
+  if (!probeNextFrame_) return;
+  probeNextFrame_ = false;
+  // A newcomer sees at once what the program is for.
+  if (!controller_.session().probe) prober_->pinWorstBleeding();
+}
+
+void MainWindow::refresh() {
+  const Session& session = controller_.session();
+  const QString title = QString::fromStdString(titleOf(session.source));
+  setWindowTitle(tr("%1 – Umbrascope").arg(title));
+  sceneButton_->setText(tr("Scene: %1")
+                            .arg(session.source.kind == SourceKind::Catalogue
+                                     ? style::text(session.source.name)
+                                     : title));
+  const bool onScene = controller_.document().content.scene != nullptr;
+  for (QAction* action : modes_->actions()) {
+    action->setChecked(action->data().toInt() == int(session.frame.view));
+    action->setEnabled(onScene);
+  }
+  for (QAction* action : techniques_->actions())
+    action->setChecked(action->data().toString() == style::text(session.technique));
+  showFrameFigures();
+}
+
+void MainWindow::showFrameFigures() {
+  const Session& session = controller_.session();
+  if (const DepthMap* depth = controller_.document().content.depth.get()) {
+    frameText_->clear();
+    mapText_->setText(tr("%1 × %2 texels").arg(depth->width()).arg(depth->height()));
+    controls_->frame().setGpuText({});
+    return;
+  }
+  const auto times = view_->lastFrame() ? view_->lastFrame()->passTimes() : std::vector<PassTime>{};
+  frameText_->setText(passTimesText(times));
+  mapText_->setText(mapText(session.frame, controller_.technique()));
+  controls_->frame().setGpuText(passTimesText(times));
+}
+
+void MainWindow::showError(const QString& text) {
+  centre_->banner().showError(text);
+}
+
+Session MainWindow::sessionToSave() const {
+  Session session = controller_.session();
+  if (!controller_.document().content.scene) return session;
+  const QSize size = view_->pixels();
+  const auto& report = prober_->report();
+  if (size.isEmpty()) return session;
+  if (session.probe && report && report->pinned) session.probe = report->pixel;
+  if (!session.probe || (report && report->pinned)) {
+    session.width = size.width();
+    session.height = size.height();
+  }
+  return session;
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  emit closing();
+  QMainWindow::closeEvent(event);
+}
+
+}  // namespace umbra

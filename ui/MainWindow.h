@@ -1,0 +1,108 @@
+// The window: puts the panes together and connects them; holds no state but what is open.
+#pragma once
+
+#include <QMainWindow>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "ui/SessionController.h"
+
+class QActionGroup;
+class QDockWidget;
+class QLabel;
+class QMenu;
+class QToolButton;
+
+namespace umbra {
+
+class CentrePane;
+class ControlPane;
+class EvidencePanes;
+class PlotPane;
+class Prober;
+class SceneView;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  // Throws BadInput where the session's source cannot be read.
+  explicit MainWindow(const Session& session, QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  SessionController& controller() { return controller_; }
+  SceneView& view() { return *view_; }
+  Prober& prober() { return *prober_; }
+  EvidencePanes& evidence() { return *evidence_; }
+  ControlPane& controls() { return *controls_; }
+  CentrePane& centre() { return *centre_; }
+  const std::vector<QDockWidget*>& docks() const { return docks_; }
+
+  // What a saved session holds: the picture's size and the pinned pixel as they are now.
+  Session sessionToSave() const;
+
+  // By extension: a mesh, a depth map (.exr) or a session (.json), read beside this thread.
+  void openFile(const std::filesystem::path& file);
+  // Throw BadOutput.
+  void saveSession(const std::filesystem::path& file);
+  void savePicture(const std::filesystem::path& file);  // PNG, as shown with the probe
+
+ public slots:
+  void showError(const QString& text);
+  void resetLayout();
+
+ signals:
+  void closing();
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  // MainWindow.cpp
+  void connectParts();
+  void refresh();
+  void showFrameFigures();
+  void afterFrame();
+  // MainWindowDocks.cpp
+  void makeDocks();
+  QDockWidget* addDock(const QString& title, const QString& name, QWidget* content,
+                       Qt::DockWidgetArea area);
+  // MainWindowMenus.cpp
+  void makeActions();
+  void makeFileMenu();
+  void makeEditMenu();
+  void makeViewMenu();
+  void makeTechniqueMenu();
+  void makeProbeMenu();
+  void makeWindowMenu();
+  void makeHelpMenu();
+  void makeToolBar();
+  QMenu* makeSceneMenu();
+  QMenu* makeExportMenu();
+  QAction* addAction(QMenu& menu, const QString& text, const QKeySequence& key,
+                     const std::function<void()>& run);
+  // MainWindowFiles.cpp
+  void askToOpen(const QString& title, const QString& filter);
+  void askToSaveSession();
+  void askToSavePicture();
+  void askToSaveTable();
+  std::optional<std::filesystem::path> askWhere(const QString& title, const QString& name,
+                                                const QString& filter);
+  void attempt(const std::function<void()>& work);
+
+  SessionController controller_;
+  SceneView* view_;
+  Prober* prober_;
+  EvidencePanes* evidence_;
+  ControlPane* controls_;
+  CentrePane* centre_;
+  std::vector<QDockWidget*> docks_;
+  QActionGroup *modes_, *techniques_;
+  QToolButton* sceneButton_ = nullptr;
+  QMenu *sceneMenu_ = nullptr, *exportMenu_ = nullptr;
+  QLabel *frameText_, *mapText_;
+  bool probeNextFrame_ = true;  // a scene was opened and nobody has pointed at anything yet
+};
+
+}  // namespace umbra

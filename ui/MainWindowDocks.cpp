@@ -1,0 +1,93 @@
+// The window's docks: where they stand at first, and again after "Reset layout".
+#include <QDockWidget>
+#include <QHBoxLayout>
+#include <QTabWidget>
+
+#include "ui/ControlPane.h"
+#include "ui/DockGrip.h"
+#include "ui/EvidencePanes.h"
+#include "ui/MainWindow.h"
+#include "ui/widgets/PlotPane.h"
+#include "ui/widgets/ProbeTable.h"
+#include "ui/widgets/RegionTable.h"
+#include "ui/widgets/ShadowMapView.h"
+
+namespace umbra {
+namespace {
+
+// Below this height (logical pixels) the plots share one place as tabs.
+constexpr int tallWindow = 840;
+
+// Map and statistics side by side, as they are read together.
+QWidget* makeMapPane(ShadowMapView& map, RegionTable& region) {
+  auto* pane = new QWidget;
+  auto* layout = new QHBoxLayout(pane);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(8);
+  layout->addWidget(&map, 5);
+  layout->addWidget(&region, 3);
+  return pane;
+}
+
+}  // namespace
+
+void MainWindow::makeDocks() {
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  setCorner(Qt::TopLeftCorner, Qt::LeftDockWidgetArea);
+  setCorner(Qt::TopRightCorner, Qt::RightDockWidgetArea);
+  setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+  addDock(tr("Controls"), "controlsDock", controls_, Qt::LeftDockWidgetArea);
+  addDock(tr("All techniques"), "tableDock", &evidence_->table(), Qt::BottomDockWidgetArea);
+  addDock(tr("Shadow map"), "mapDock", makeMapPane(evidence_->map(), evidence_->region()),
+          Qt::RightDockWidgetArea);
+  addDock(tr("Visibility"), "curvesDock", &evidence_->curves(), Qt::RightDockWidgetArea);
+  addDock(tr("Depths"), "histogramDock", &evidence_->histogram(), Qt::RightDockWidgetArea);
+  addDock(tr("Distribution"), "cdfDock", &evidence_->cdf(), Qt::RightDockWidgetArea);
+}
+
+QDockWidget* MainWindow::addDock(const QString& title, const QString& name, QWidget* content,
+                                 Qt::DockWidgetArea area) {
+  auto* dock = new QDockWidget(title, this);
+  dock->setObjectName(name);
+  dock->setTitleBarWidget(new DockGrip);
+  dock->setWidget(content);
+  addDockWidget(area, dock);
+  docks_.push_back(dock);
+  return dock;
+}
+
+void MainWindow::resetLayout() {
+  const auto dockOf = [this](const char* name) { return findChild<QDockWidget*>(name); };
+  QDockWidget *controls = dockOf("controlsDock"), *table = dockOf("tableDock"),
+              *map = dockOf("mapDock"), *curves = dockOf("curvesDock"),
+              *histogram = dockOf("histogramDock"), *cdf = dockOf("cdfDock");
+  for (QDockWidget* dock : docks_) {
+    removeDockWidget(dock);
+    dock->setFloating(false);
+  }
+  addDockWidget(Qt::LeftDockWidgetArea, controls);
+  addDockWidget(Qt::BottomDockWidgetArea, table);
+  addDockWidget(Qt::RightDockWidgetArea, map);
+  splitDockWidget(map, curves, Qt::Vertical);
+  const bool tall = height() >= tallWindow;
+  if (tall)
+    splitDockWidget(curves, histogram, Qt::Vertical);
+  else
+    tabifyDockWidget(curves, histogram);
+  tabifyDockWidget(histogram, cdf);
+  for (QDockWidget* dock : docks_) dock->show();
+  (tall ? histogram : curves)->raise();
+
+  const int side = width() < 1500 ? 250 : 290, right = width() * 35 / 100;
+  resizeDocks({controls, map}, {side, right}, Qt::Horizontal);
+  resizeDocks({table}, {tall ? 250 : 210}, Qt::Vertical);
+  const int rest = height() - 110;
+  if (tall)
+    resizeDocks({map, curves, histogram}, {rest * 29 / 100, rest * 41 / 100, rest * 30 / 100},
+                Qt::Vertical);
+  else
+    resizeDocks({map, curves}, {rest * 42 / 100, rest * 58 / 100}, Qt::Vertical);
+}
+
+}  // namespace umbra

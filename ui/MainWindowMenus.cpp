@@ -1,0 +1,232 @@
+// The window's menus, its tool bar and their keys.
+#include <QActionGroup>
+#include <QApplication>
+#include <QDockWidget>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolBar>
+#include <QToolButton>
+#include <QWidgetAction>
+
+#include "datasets/SceneCatalogue.h"
+#include "ui/EvidencePanes.h"
+#include "ui/HelpDialogs.h"
+#include "ui/LightForm.h"
+#include "ui/MainWindow.h"
+#include "ui/Prober.h"
+#include "ui/widgets/PlotPane.h"
+#include "ui/widgets/ProbeTable.h"
+#include "ui/widgets/Style.h"
+
+namespace umbra {
+namespace {
+
+struct Mode {
+  ViewMode mode;
+  const char* text;
+  int key;
+};
+constexpr Mode viewModes[] = {{ViewMode::Shaded, "Shaded", Qt::Key_F2},
+                              {ViewMode::Visibility, "Visibility", Qt::Key_F3},
+                              {ViewMode::Error, "Signed error", Qt::Key_F4},
+                              {ViewMode::Depth, "Depth", Qt::Key_F5},
+                              {ViewMode::Layers, "Layers", Qt::Key_F6}};
+
+const char* const meshFilter = "*.obj *.ply *.off *.stl";
+
+}  // namespace
+
+QAction* MainWindow::addAction(QMenu& menu, const QString& text, const QKeySequence& key,
+                               const std::function<void()>& run) {
+  QAction* action = menu.addAction(text);
+  action->setShortcut(key);
+  connect(action, &QAction::triggered, this, run);
+  return action;
+}
+
+void MainWindow::makeActions() {
+  sceneMenu_ = makeSceneMenu();
+  exportMenu_ = makeExportMenu();
+  makeFileMenu();
+  makeEditMenu();
+  makeViewMenu();
+  makeTechniqueMenu();
+  makeProbeMenu();
+  makeWindowMenu();
+  makeHelpMenu();
+  makeToolBar();
+}
+
+QMenu* MainWindow::makeSceneMenu() {
+  auto* menu = new QMenu(tr("&Scene"), this);
+  menu->setToolTipsVisible(true);
+  for (const SceneInfo& info : sceneCatalogue()) {
+    QAction* action = menu->addAction(style::text(info.title));
+    const QString about = style::text(info.description + "\n" + info.figure).trimmed();
+    action->setToolTip(info.missing.empty() ? about : style::text(info.missing));
+    action->setEnabled(info.missing.empty());
+    connect(action, &QAction::triggered, this, [this, name = info.name] {
+      SceneSource source;
+      source.name = name;
+      controller_.openSource(source);
+    });
+  }
+  menu->addSeparator();
+  menu->addAction(tr("Open mesh …"), this,
+                  [this] { askToOpen(tr("Open mesh"), tr("Meshes (%1)").arg(meshFilter)); });
+  menu->addAction(tr("Open depth map …"), this,
+                  [this] { askToOpen(tr("Open depth map"), tr("OpenEXR depth map (*.exr)")); });
+  menu->addAction(tr("Open session …"), this,
+                  [this] { askToOpen(tr("Open session"), tr("Session (*.json)")); });
+  return menu;
+}
+
+QMenu* MainWindow::makeExportMenu() {
+  auto* menu = new QMenu(tr("&Export"), this);
+  addAction(*menu, tr("Picture …"), QKeySequence("Ctrl+E"), [this] { askToSavePicture(); });
+  menu->addSeparator();
+  addAction(*menu, tr("Visibility plot …"), {}, [this] { evidence_->curves().saveAs(); });
+  addAction(*menu, tr("Depths plot …"), {}, [this] { evidence_->histogram().saveAs(); });
+  addAction(*menu, tr("Distribution plot …"), {}, [this] { evidence_->cdf().saveAs(); });
+  addAction(*menu, tr("Table of techniques …"), {}, [this] { askToSaveTable(); });
+  menu->addSeparator();
+  addAction(*menu, tr("Session …"), {}, [this] { askToSaveSession(); });
+  return menu;
+}
+
+void MainWindow::makeFileMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&File"));
+  menu->addMenu(sceneMenu_);
+  addAction(*menu, tr("&Open …"), QKeySequence::Open, [this] {
+    askToOpen(tr("Open"), tr("All that can be opened (%1 *.exr *.json)").arg(meshFilter));
+  });
+  addAction(*menu, tr("&Save session …"), QKeySequence::Save, [this] { askToSaveSession(); });
+  menu->addMenu(exportMenu_);
+  menu->addSeparator();
+  addAction(*menu, tr("&Quit"), QKeySequence("Ctrl+Q"), [this] { close(); });
+}
+
+void MainWindow::makeEditMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Edit"));
+  QAction* undo = controller_.undoStack().createUndoAction(this, tr("&Undo"));
+  undo->setShortcut(QKeySequence("Ctrl+Z"));
+  QAction* redo = controller_.undoStack().createRedoAction(this, tr("&Redo"));
+  redo->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
+  menu->addActions({undo, redo});
+  menu->addSeparator();
+  addAction(*menu, tr("&Copy plot"), QKeySequence::Copy,
+            [this] { evidence_->currentPlot().copy(); });
+  addAction(*menu, tr("Copy &table"), QKeySequence("Ctrl+Shift+C"),
+            [this] { evidence_->table().copy(); });
+}
+
+void MainWindow::makeViewMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&View"));
+  for (const Mode& mode : viewModes) {
+    QAction* action = addAction(*menu, tr(mode.text), QKeySequence(mode.key), [this, mode] {
+      controller_.edit(tr("View %1").arg(tr(mode.text).toLower()),
+                       [&](Session& session) { session.frame.view = mode.mode; });
+    });
+    action->setCheckable(true);
+    action->setData(int(mode.mode));
+    modes_->addAction(action);
+  }
+  menu->addSeparator();
+  addAction(*menu, tr("The scene's &camera"), QKeySequence("Home"), [this] {
+    controller_.edit(tr("Reset camera"), [](Session& session) { session.camera.reset(); });
+  });
+  addAction(*menu, tr("The scene's &light"), QKeySequence("Shift+Home"), [this] {
+    controller_.edit(tr("Reset light"), [](Session& session) { session.light.reset(); });
+  });
+}
+
+void MainWindow::makeTechniqueMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Technique"));
+  int digit = 0;
+  for (const Technique* technique : controller_.catalogue().all()) {
+    const std::string id(technique->info().id);
+    const QKeySequence key = digit < 10 ? QKeySequence(Qt::Key_0 + digit) : QKeySequence();
+    QAction* action = addAction(*menu, style::text(technique->info().title), key, [this, id] {
+      controller_.edit(tr("Choose technique"), [&](Session& session) { session.technique = id; });
+    });
+    action->setCheckable(true);
+    action->setData(style::text(id));
+    techniques_->addAction(action);
+    ++digit;
+  }
+  menu->addSeparator();
+  addAction(*menu, tr("Reset its &parameters"), {}, [this] {
+    controller_.edit(tr("Reset parameters"),
+                     [](Session& session) { session.parameters.erase(session.technique); });
+  });
+}
+
+void MainWindow::makeProbeMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Probe"));
+  addAction(*menu, tr("&Let go"), QKeySequence(Qt::Key_Escape), [this] { prober_->unpin(); });
+  addAction(*menu, tr("Go to the &worst light bleeding"), QKeySequence("B"),
+            [this] { prober_->pinWorstBleeding(); });
+  addAction(*menu, tr("Back to the &surface's own depth"), QKeySequence("R"), [this] {
+    controller_.edit(tr("Reset receiver depth"),
+                     [](Session& session) { session.receiver.reset(); });
+  });
+}
+
+void MainWindow::makeWindowMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Window"));
+  for (QDockWidget* dock : docks_) menu->addAction(dock->toggleViewAction());
+  menu->addSeparator();
+  addAction(*menu, tr("&Reset layout"), {}, [this] { resetLayout(); });
+}
+
+void MainWindow::makeHelpMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Help"));
+  addAction(*menu, tr("This &technique"), QKeySequence::HelpContents,
+            [this] { showTechniquePage(controller_.technique(), this); });
+  addAction(*menu, tr("&Keyboard and mouse"), {}, [this] {
+    std::vector<std::pair<QString, QString>> keys{
+        {tr("Probe the point under the pointer"), tr("move")},
+        {tr("Keep the point"), tr("click")},
+        {tr("Turn the camera"), tr("left drag")},
+        {tr("Move the camera"), tr("middle drag, Shift + left drag")},
+        {tr("Nearer, farther"), tr("wheel, right drag")},
+        {tr("Move the light"), tr("drag the sun")},
+        {tr("Study another receiver depth"), tr("drag the amber line in a plot")}};
+    for (const QAction* action : findChildren<QAction*>())
+      if (!action->shortcut().isEmpty())
+        keys.emplace_back(action->text().remove('&').remove(QStringLiteral(" …")),
+                          action->shortcut().toString(QKeySequence::NativeText));
+    showShortcuts(keys, this);
+  });
+  addAction(*menu, tr("&About Umbrascope"), {}, [this] { showAbout(this); });
+}
+
+void MainWindow::makeToolBar() {
+  QToolBar* bar = addToolBar(tr("Tools"));
+  bar->setObjectName("tools");
+  bar->setMovable(false);
+  bar->setContextMenuPolicy(Qt::PreventContextMenu);
+  const auto menuButton = [&](const QString& text, QMenu* menu) {
+    auto* button = new QToolButton;
+    button->setText(text);
+    button->setMenu(menu);
+    button->setPopupMode(QToolButton::InstantPopup);
+    bar->addWidget(button);
+    return button;
+  };
+  sceneButton_ = menuButton(tr("Scene"), sceneMenu_);
+  auto* lightMenu = new QMenu(this);
+  auto* lightAction = new QWidgetAction(lightMenu);
+  lightAction->setDefaultWidget(new LightForm(controller_));
+  lightMenu->addAction(lightAction);
+  menuButton(tr("Light"), lightMenu);
+  bar->addWidget(new QLabel(tr("View")));
+  bar->addActions(modes_->actions());
+  auto* space = new QWidget;
+  space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  bar->addWidget(space);
+  menuButton(tr("Export …"), exportMenu_);
+}
+
+}  // namespace umbra

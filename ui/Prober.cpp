@@ -1,0 +1,176 @@
+#include "ui/Prober.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+
+#include "ui/SceneView.h"
+#include "ui/SessionController.h"
+#include "ui/WorstPixel.h"
+
+namespace umbra {
+namespace {
+
+// A pixel of a picture of the session's size in one of another size: the camera keeps its vertical
+// angle, so that both centres show the same point and lengths follow the height.
+Pixel scaledPixel(const Pixel& pixel, const Session& session, const QSize& to) {
+  const double scale = double(to.height()) / session.height;
+  const auto along = [scale](int value, int from, int size) {
+    return int(std::floor((value + 0.5 - from / 2.0) * scale + size / 2.0));
+  };
+  return {along(pixel.x, session.width, to.width()), along(pixel.y, session.height, to.height())};
+}
+
+}  // namespace
+
+Prober::Prober(SessionController& controller, SceneView& view, QObject* parent)
+    : QObject(parent), controller_(controller), view_(view) {
+  connect(&view_, &SceneView::frameDrawn, this, &Prober::refresh);
+  connect(&view_, &SceneView::hovered, this, &Prober::hover);
+  connect(&view_, &SceneView::clicked, this, &Prober::pin);
+  connect(&controller_, &SessionController::changed, this, &Prober::sessionChanged);
+}
+
+void Prober::sessionChanged(const Document& before, const Document& after) {
+  adaptedTo_ = -1;
+  if (!(before.session.probe == after.session.probe)) pinnedPoint_.reset();
+  if (!(before.content == after.content)) {
+    hover_.reset();
+    pinnedPoint_.reset();
+    report_.reset();
+    emit reported();
+  }
+  if (after.content.depth) refresh();  // a scene is probed after the frame that follows
+}
+
+void Prober::hover(const Pixel& pixel) {
+  if (controller_.session().probe) return;
+  hover_ = pixel;
+  refresh();
+}
+
+void Prober::pin(const Pixel& pixel) {
+  const bool onScene = controller_.document().content.scene != nullptr;
+  if (onScene && !view_.surfaceAt(pixel)) return;  // the sky has no shadow to take apart
+  const QSize size = view_.pixels();
+  controller_.edit(tr("Pin probe"), [&](Session& session) {
+    session.probe = pixel;
+    if (!onScene) return;
+    session.width = size.width();
+    session.height = size.height();
+    session.receiver.reset();
+  });
+  refresh();
+}
+
+void Prober::unpin() {
+  hover_.reset();
+  controller_.edit(tr("Unpin probe"), [](Session& session) {
+    session.probe.reset();
+    session.receiver.reset();
+  });
+  refresh();
+}
+
+void Prober::pinWorstBleeding() {
+  ShadowRenderer* frame = view_.lastFrame();
+  if (!frame) return;
+  try {
+    const auto worst = worstBleeding(frame->surfaces(), frame->reference());
+    if (!worst) return;
+    const QSize size = view_.pixels();
+    controller_.amend([&](Session& session) {
+      session.probe = *worst;
+      session.width = size.width();
+      session.height = size.height();
+    });
+    refresh();
+  } catch (const std::exception& problem) {
+    emit failed(QString::fromUtf8(problem.what()));
+  }
+}
+
+void Prober::refresh() {
+  try {
+    // Where there is nothing to probe the last probe stays to be read, unless it was let go.
+    if (auto next = take())
+      report_ = std::move(next);
+    else if (!controller_.session().probe && !hover_)
+      report_.reset();
+    emit reported();
+  } catch (const std::exception& problem) {
+    emit failed(QString::fromUtf8(problem.what()));
+  }
+}
+
+std::optional<ProbeReport> Prober::take() {
+  return controller_.document().content.depth ? takeOnDepthFile() : takeOnScene();
+}
+
+// Keeps a pinned probe on its point of the surface while the camera moves.
+std::optional<Pixel> Prober::pinnedPixel() {
+  const Session& session = controller_.session();
+  if (pinnedPoint_) return view_.pixelOf(*pinnedPoint_);
+  return scaledPixel(*session.probe, session, view_.pixels());
+}
+
+std::optional<ProbeReport> Prober::takeOnScene() {
+  ShadowRenderer* frame = view_.lastFrame();
+  const Session& session = controller_.session();
+  const std::optional<Pixel> pixel = session.probe ? pinnedPixel() : hover_;
+  if (!frame || !pixel) return std::nullopt;
+  const auto surface = view_.surfaceAt(*pixel);
+  if (!surface || surface->u < 0.0 || surface->u > 1.0 || surface->v < 0.0 || surface->v > 1.0)
+    return std::nullopt;
+  if (session.probe && pinnedPoint_ && report_ &&
+      (surface->world - *pinnedPoint_).norm() > 0.05 * (1.0 + pinnedPoint_->norm()))
+    return std::nullopt;  // something stands in front of the point now
+
+  const ReadPoint read{session.frame.read, surface->u, surface->v};
+  ProbeReport report = probe(frame->depthMap(), read, session.receiver.value_or(surface->receiver),
+                             view_.mapRevision());
+  report.pixel = *pixel;
+  report.pinned = session.probe.has_value();
+  report.facesLight = surface->facesLight;
+  report.receiverByHand = session.receiver.has_value();
+  report.point = surface->world;
+  report.footprint = footprintOf(report.probe.region, session.frame.map.size, surface->receiver,
+                                 frame->lightFrame(), view_.surfacePlane(*pixel, *surface));
+  if (!session.receiver)
+    for (TechniqueResult& result : report.probe.techniques)
+      if (result.technique->info().id == session.technique) result.gpu = surface->visibility;
+  if (session.probe && !pinnedPoint_) pinnedPoint_ = surface->world;
+  return report;
+}
+
+std::optional<ProbeReport> Prober::takeOnDepthFile() {
+  const Document& document = controller_.document();
+  const DepthMap& map = *document.content.depth;
+  const std::optional<Pixel> texel = document.session.probe ? document.session.probe : hover_;
+  if (!texel || texel->x < 0 || texel->y < 0 || texel->x >= map.width() || texel->y >= map.height())
+    return std::nullopt;
+  ProbeReport report = probe(map, ReadPoint::atTexel(map, texel->x, texel->y),
+                             document.session.receiver.value_or(0.5), 0);
+  report.pixel = *texel;
+  report.pinned = document.session.probe.has_value();
+  return report;
+}
+
+ProbeReport Prober::probe(const DepthMap& map, const ReadPoint& read, double receiver,
+                          int revision) {
+  if (adaptedTo_ != revision) {
+    adapted_.clear();
+    for (const auto& technique : controller_.techniques()) {
+      std::shared_ptr<Technique> copy = technique->clone();
+      copy->adapt(map);
+      adapted_.push_back(std::move(copy));
+    }
+    adaptedTo_ = revision;
+  }
+  const FrameSettings& settings = controller_.session().frame;
+  ProbeReport report;
+  report.probe = takeProbe({map, read, settings.kernel, settings.map.format, receiver, adapted_});
+  return report;
+}
+
+}  // namespace umbra

@@ -1,0 +1,55 @@
+// Takes the probed region apart whenever the probe, the map or a parameter changed.
+#pragma once
+
+#include <QObject>
+#include <optional>
+
+#include "ui/ProbeReport.h"
+
+namespace umbra {
+
+class SceneView;
+class SessionController;
+struct Document;
+
+// Follows the pointer over the picture until a click pins the probe to a point of the surface; a
+// pinned one stays on its point while camera, light and parameters change. On a depth file the
+// texel is the probe and the session's receiver the depth.
+class Prober : public QObject {
+  Q_OBJECT
+
+ public:
+  Prober(SessionController& controller, SceneView& view, QObject* parent = nullptr);
+
+  const std::optional<ProbeReport>& report() const { return report_; }
+
+  void hover(const Pixel& pixel);  // of the picture, or a texel
+  void pin(const Pixel& pixel);    // a step for undo
+  void unpin();
+  // Probes again where the probe is: after a frame, or a change.
+  void refresh();
+  // Pins the pixel of the last frame where light bleeds most; none where no light bleeds.
+  void pinWorstBleeding();
+
+ signals:
+  void reported();  // report() is new, or gone
+  void failed(const QString& message);
+
+ private:
+  std::optional<ProbeReport> take();
+  std::optional<ProbeReport> takeOnScene();
+  std::optional<ProbeReport> takeOnDepthFile();
+  ProbeReport probe(const DepthMap& map, const ReadPoint& read, double receiver, int revision);
+  std::optional<Pixel> pinnedPixel();
+  void sessionChanged(const Document& before, const Document& after);
+
+  SessionController& controller_;
+  SceneView& view_;
+  std::optional<ProbeReport> report_;
+  std::optional<Pixel> hover_;
+  std::optional<Eigen::Vector3d> pinnedPoint_;             // world, once the frame has told it
+  std::vector<std::shared_ptr<const Technique>> adapted_;  // to the map of `adaptedTo_`
+  int adaptedTo_ = -1;
+};
+
+}  // namespace umbra

@@ -1,0 +1,169 @@
+#include "ui/SceneOverlay.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/widgets/Style.h"
+
+namespace umbra {
+namespace {
+
+const QColor box{0x1f, 0x29, 0x33, 0xee};
+const QColor boxText{0xff, 0xff, 0xff};
+const QColor boxError{0xff, 0x9a, 0xa8};  // style::error, light enough to read on `box`
+const QColor boxCalm{0xc5, 0xcd, 0xd6};
+
+QPen dashedPen(double width) {
+  QPen pen(style::probe, width);
+  pen.setDashPattern({4.0, 3.0});
+  pen.setCapStyle(Qt::FlatCap);
+  return pen;
+}
+
+// A line that reads on light and dark ground alike.
+void drawOutlined(QPainter& painter, const QPainterPath& path, const QPen& pen) {
+  painter.strokePath(path, QPen(QColor(0x1f, 0x29, 0x33, 0x90), pen.widthF() + 2.0));
+  painter.strokePath(path, pen);
+}
+
+}  // namespace
+
+SceneOverlay::SceneOverlay(QWidget* parent) : QWidget(parent) {
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  setAttribute(Qt::WA_NoSystemBackground);
+  setFocusPolicy(Qt::NoFocus);
+}
+
+void SceneOverlay::setContents(Contents contents) {
+  contents_ = std::move(contents);
+  const auto& report = contents_.report;
+  const bool pinned = report && report->pinned && report->point;
+  handle_.place(contents_.light, pinned ? *report->point : contents_.light.target,
+                contents_.projection);
+  update();
+}
+
+void SceneOverlay::setHandleHot(bool hot) {
+  if (hot == hot_) return;
+  hot_ = hot;
+  update();
+}
+
+void SceneOverlay::paintEvent(QPaintEvent*) {
+  if (contents_.projection.size().isEmpty()) return;
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  drawRay(painter);
+  drawPatch(painter);
+  drawSun(painter);
+  drawFigures(painter);
+  drawHint(painter);
+}
+
+void SceneOverlay::drawRay(QPainter& painter) const {
+  const auto& report = contents_.report;
+  const bool pinned = report && report->pinned;
+  const Light& light = contents_.light;
+  if (report && report->point) {
+    const Eigen::Vector3d towards = light.kind == LightKind::Directional
+                                        ? Eigen::Vector3d(light.position - light.target)
+                                        : Eigen::Vector3d(light.position - *report->point);
+    const Eigen::Vector3d end =
+        pinned && handle_.position() ? handle_.world() : Eigen::Vector3d(*report->point + towards);
+    painter.setPen(dashedPen(1.6));
+    if (const auto line = contents_.projection.toWidget(*report->point, end))
+      painter.drawLine(*line);
+  }
+  if (!pinned && handle_.position()) {
+    QPen faint = dashedPen(1.0);
+    faint.setColor(QColor(style::probe.red(), style::probe.green(), style::probe.blue(), 0x80));
+    painter.setPen(faint);
+    if (const auto line = contents_.projection.toWidget(light.target, handle_.world()))
+      painter.drawLine(*line);
+  }
+}
+
+void SceneOverlay::drawPatch(QPainter& painter) const {
+  const auto& report = contents_.report;
+  if (!report || !report->point) return;
+  QPolygonF outline;
+  for (const Eigen::Vector3d& corner : report->footprint) {
+    const auto point = contents_.projection.toWidget(corner);
+    if (!point) return;
+    outline << *point;
+  }
+  QPainterPath path;
+  path.addPolygon(outline);
+  path.closeSubpath();
+  painter.fillPath(path,
+                   QColor(style::probe.red(), style::probe.green(), style::probe.blue(), 0x30));
+  drawOutlined(painter, path, QPen(style::probe, 1.8));
+  if (const auto centre = contents_.projection.toWidget(*report->point)) {
+    painter.setPen(QPen(Qt::white, 1.2));
+    painter.setBrush(style::probe);
+    painter.drawEllipse(*centre, 3.6, 3.6);
+  }
+}
+
+void SceneOverlay::drawSun(QPainter& painter) const {
+  const auto centre = handle_.position();
+  if (!centre) return;
+  const double radius = hot_ ? 9.5 : 8.0;
+  painter.setPen(QPen(style::probe, hot_ ? 2.4 : 2.0, Qt::SolidLine, Qt::RoundCap));
+  for (int i = 0; i < 8; ++i) {
+    const double angle = i * 3.14159265358979 / 4.0;
+    const QPointF way(std::cos(angle), std::sin(angle));
+    painter.drawLine(*centre + way * (radius + 3.0), *centre + way * (radius + 6.5));
+  }
+  painter.setPen(QPen(QColor(0xff, 0xff, 0xff, 0xe0), 1.5));
+  painter.setBrush(style::probe);
+  painter.drawEllipse(*centre, radius, radius);
+}
+
+void SceneOverlay::drawFigures(QPainter& painter) const {
+  const auto& report = contents_.report;
+  if (!report || !report->point || contents_.heading.isEmpty()) return;
+  const auto point = contents_.projection.toWidget(*report->point);
+  if (!point || !QRectF(rect()).contains(*point)) return;
+  QFont bold = style::figures(font()), plain = bold;
+  bold.setWeight(QFont::DemiBold);
+  const QFontMetricsF boldMetrics(bold), plainMetrics(plain);
+  const double line = std::ceil(std::max(boldMetrics.height(), plainMetrics.height()));
+  const QSizeF size(std::ceil(std::max(boldMetrics.horizontalAdvance(contents_.heading),
+                                       plainMetrics.horizontalAdvance(contents_.verdict))) +
+                        24.0,
+                    2.0 * line + 18.0);
+  // Below and to the right of the point; on the other side where there is no room.
+  QPointF corner = *point + QPointF(22.0, 16.0);
+  if (corner.x() + size.width() > width() - 6.0) corner.setX(point->x() - 22.0 - size.width());
+  if (corner.y() + size.height() > height() - 6.0) corner.setY(point->y() - 16.0 - size.height());
+  corner.setX(std::max(corner.x(), 6.0));
+  corner.setY(std::max(corner.y(), 6.0));
+  const QRectF frame(corner, size);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(box);
+  painter.drawRoundedRect(frame, 5.0, 5.0);
+  const QRectF inner = frame.adjusted(12.0, 8.0, -12.0, -8.0);
+  painter.setFont(bold);
+  painter.setPen(boxText);
+  painter.drawText(inner, Qt::AlignLeft | Qt::AlignTop, contents_.heading);
+  painter.setFont(plain);
+  painter.setPen(contents_.wrong ? boxError : boxCalm);
+  painter.drawText(inner, Qt::AlignLeft | Qt::AlignBottom, contents_.verdict);
+}
+
+void SceneOverlay::drawHint(QPainter& painter) const {
+  if (contents_.hint.isEmpty()) return;
+  const QFontMetricsF metrics(font());
+  const QSizeF size(metrics.horizontalAdvance(contents_.hint) + 28.0, metrics.height() + 12.0);
+  const QRectF frame(QPointF((width() - size.width()) / 2.0, 12.0), size);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(0xff, 0xff, 0xff, 0xe6));
+  painter.drawRoundedRect(frame, size.height() / 2.0, size.height() / 2.0);
+  painter.setPen(style::ink);
+  painter.drawText(frame, Qt::AlignCenter, contents_.hint);
+}
+
+}  // namespace umbra

@@ -1,0 +1,48 @@
+// What is drawn over the picture: the probe's patch, its ray, the sun, the figures beside it.
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "ui/LightHandle.h"
+#include "ui/ProbeReport.h"
+#include "ui/SceneProjection.h"
+
+namespace umbra {
+
+// Lies over the scene's widget and lets every event through.
+class SceneOverlay : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SceneOverlay(QWidget* parent);
+
+  struct Contents {
+    SceneProjection projection;
+    Light light;
+    std::optional<ProbeReport> report;
+    QString heading, verdict;  // the two lines beside the probe; empty leaves them out
+    bool wrong = false;        // the verdict is an error
+    QString hint;              // one sentence at the top; empty for none
+  };
+  void setContents(Contents contents);
+  const LightHandle& handle() const { return handle_; }
+  // The handle is under the pointer or in the hand.
+  void setHandleHot(bool hot);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void drawRay(QPainter& painter) const;
+  void drawPatch(QPainter& painter) const;
+  void drawSun(QPainter& painter) const;
+  void drawFigures(QPainter& painter) const;
+  void drawHint(QPainter& painter) const;
+
+  Contents contents_;
+  LightHandle handle_;
+  bool hot_ = false;
+};
+
+}  // namespace umbra

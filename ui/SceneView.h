@@ -1,0 +1,82 @@
+// The picture: a VTK scene with filtered shadows, the camera, the light's handle and the probe.
+#pragma once
+
+#include <QVTKOpenGLNativeWidget.h>
+#include <QTimer>
+#include <memory>
+#include <optional>
+
+#include "filters/gpu/ShadowRenderer.h"
+#include "ui/Document.h"
+#include "ui/Footprint.h"
+#include "ui/ProbeReport.h"
+#include "ui/SceneOverlay.h"
+
+namespace umbra {
+
+// Pixels are device pixels of the picture, from its top-left corner. Frames are drawn when Qt
+// paints: any number of changes before that cost one frame.
+class SceneView : public QVTKOpenGLNativeWidget {
+  Q_OBJECT
+
+ public:
+  explicit SceneView(QWidget* parent = nullptr);
+  ~SceneView() override;
+
+  // Shows a document that has a scene. `technique` is its technique.
+  void showDocument(const Document& document, const Technique& technique);
+  // The probe to draw over the picture, with the two lines beside it.
+  void setReport(const std::optional<ProbeReport>& report, const QString& heading,
+                 const QString& verdict, bool wrong);
+  void setHint(const QString& hint);
+
+  QSize pixels() const;  // of the picture
+  Pixel pixelAt(const QPointF& point) const;
+  // Where a world point is seen, hidden or not.
+  std::optional<Pixel> pixelOf(const Eigen::Vector3d& world) const;
+
+  // Of the last frame; null before the first one.
+  ShadowRenderer* lastFrame() { return drawn_ ? shadow_.get() : nullptr; }
+  std::optional<SurfacePoint> surfaceAt(const Pixel& pixel);
+  // The surface around a pixel, as a plane.
+  std::optional<Plane> surfacePlane(const Pixel& pixel, const SurfacePoint& centre);
+  // Equal numbers mean equal depth maps, and equal channels.
+  int mapRevision() const { return mapRevision_; }
+  int channelsRevision() const { return channelsRevision_; }
+  double framePeriod() const { return framePeriod_; }  // milliseconds, of the last frame
+
+ signals:
+  void frameDrawn();
+  void hovered(const umbra::Pixel& pixel);
+  void clicked(const umbra::Pixel& pixel);
+  void cameraMoved(const umbra::Camera& camera);  // when it comes to rest
+  void lightDragged(const umbra::Light& light);   // while it moves
+  void lightDragFinished();
+  void failed(const QString& message);
+
+ protected:
+  bool event(QEvent* event) override;
+  void paintGL() override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void prepareInteraction();
+  void drawFrame();
+  void refreshOverlay();
+  bool mouseEvent(QMouseEvent* event);
+  bool dragLight(QMouseEvent* event);
+
+  std::unique_ptr<ShadowRenderer> shadow_;
+  SceneOverlay* overlay_;
+  SceneOverlay::Contents contents_;
+  Document shown_;
+  QTimer hoverTimer_;
+  QPointF pointer_;  // logical pixels
+  std::optional<QPointF> pressed_, lightGrip_;
+  bool stale_ = true, drawn_ = false, painting_ = false;
+  int mapRevision_ = 0, channelsRevision_ = 0;
+  std::unique_ptr<Technique> technique_;
+  double framePeriod_ = 0.0;
+};
+
+}  // namespace umbra
