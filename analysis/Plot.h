@@ -58,7 +58,8 @@ struct Plot {
 };
 
 // One column of x and one of y for every series, with a header line; series that share their x
-// share its column. Numbers are the shortest that read back exactly. Throws BadOutput; nothing half-written.
+// share its column. Numbers are the shortest that read back exactly. Throws BadOutput; nothing
+// half-written.
 void writeCsv(const Plot& plot, const std::filesystem::path& file);
 std::string toCsv(const Plot& plot);
 

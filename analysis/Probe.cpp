@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "filters/core/Prefilter.h"
 
@@ -62,6 +63,21 @@ std::vector<double> referenceCurve(const Region& region, const std::vector<doubl
   return curve;
 }
 
+Histogram binned(std::span<const double> values, std::span<const double> weights, double low,
+                 double high, int bins) {
+  if (low == high) return {{low, high}, {1.0}};
+  Histogram histogram;
+  for (int i = 0; i <= bins; ++i) histogram.edges.push_back(std::lerp(low, high, double(i) / bins));
+  histogram.weights.assign(bins, 0.0);
+  const auto first = histogram.edges.begin() + 1, last = histogram.edges.end() - 1;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    // By the edges themselves, so that rounding never puts a value outside the bin it is drawn in;
+    // the last bin is closed.
+    histogram.weights[std::upper_bound(first, last, values[i]) - first] += weights[i];
+  }
+  return histogram;
+}
+
 }  // namespace
 
 ReadPoint ReadPoint::atTexel(const DepthMap& map, int x, int y) {
@@ -80,20 +96,27 @@ Probe takeProbe(const ProbeRequest& request) {
 }
 
 Histogram histogramOf(const Region& region, int bins) {
-  const RegionStatistics s = statisticsOf(region);
-  if (s.min == s.max) return {{s.min, s.max}, {1.0}};
-  Histogram histogram;
-  for (int i = 0; i <= bins; ++i)
-    histogram.edges.push_back(std::lerp(s.min, s.max, double(i) / bins));
-  histogram.weights.assign(bins, 0.0);
-  const auto inner = std::pair(histogram.edges.begin() + 1, histogram.edges.end() - 1);
+  std::vector<double> depths, weights;
   for (const RegionTexel& texel : region.texels) {
-    // By the edges themselves, so that rounding never puts a depth outside the bin it is drawn in;
-    // the last bin is closed.
-    const auto bin = std::upper_bound(inner.first, inner.second, texel.depth) - inner.first;
-    histogram.weights[bin] += texel.weight;
+    depths.push_back(texel.depth);
+    weights.push_back(texel.weight);
   }
-  return histogram;
+  const RegionStatistics s = statisticsOf(region);
+  return binned(depths, weights, s.min, s.max, bins);
+}
+
+Histogram histogramOf(std::span<const double> values, std::span<const double> weights, int bins) {
+  std::vector<double> counted, scaled;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (weights[i] <= 0.0) continue;
+    counted.push_back(values[i]);
+    scaled.push_back(weights[i]);
+  }
+  if (counted.empty()) return {};
+  const double total = std::accumulate(scaled.begin(), scaled.end(), 0.0);
+  for (double& weight : scaled) weight /= total;
+  const auto [low, high] = std::minmax_element(counted.begin(), counted.end());
+  return binned(counted, scaled, *low, *high, bins);
 }
 
 EmpiricalCdf empiricalCdfOf(const Region& region) {

@@ -27,7 +27,7 @@ struct ProbeRequest {
   ReadPoint read;
   Kernel kernel;
   StorageFormat format = StorageFormat::Double;
-  double receiver = 0.5;                              // z_r, biased
+  double receiver = 0.5;                                     // z_r, biased
   std::vector<std::shared_ptr<const Technique>> techniques;  // parameters set, adapted to the map
 };
 
@@ -49,13 +49,17 @@ struct Probe {
 
 Probe takeProbe(const ProbeRequest& request);
 
-// The region's depths in `bins` bins of equal width over [min, max]; weights sum to 1. A region of
-// one depth has one bin of no width.
+// The region's depths in `bins` ≥ 1 bins of equal width over [min, max]; weights sum to 1. A region
+// of one depth has one bin of no width.
 struct Histogram {
   std::vector<double> edges;    // bins + 1
   std::vector<double> weights;  // bins
 };
 Histogram histogramOf(const Region& region, int bins);
+
+// The same of any finite values with weights ≥ 0, scaled to sum 1; values without weight do not
+// count. Empty where nothing has weight.
+Histogram histogramOf(std::span<const double> values, std::span<const double> weights, int bins);
 
 // The distinct depths of the region, ascending, each with the weight at or below it: F(z).
 struct EmpiricalCdf {

@@ -24,8 +24,12 @@ void reduceLine(std::vector<double>& line, Reduction reduction, const Kernel& ke
       else
         slidingWeightedMean(line, weights);
       break;
-    case Reduction::Min: slidingExtreme(line, r, [](double a, double b) { return std::min(a, b); }); break;
-    case Reduction::Max: slidingExtreme(line, r, [](double a, double b) { return std::max(a, b); }); break;
+    case Reduction::Min:
+      slidingMinimum(line, r);
+      break;
+    case Reduction::Max:
+      slidingMaximum(line, r);
+      break;
   }
 }
 
@@ -89,9 +93,15 @@ std::vector<double> prefilteredRegion(const Region& region, const Technique& tec
     for (std::size_t c = 0; c < layout.size(); ++c) {
       const double value = storedIn(layout[c], texel[c], format);
       switch (layout[c].reduction) {
-        case Reduction::Mean: reduced[c] += tap.weight * value; break;
-        case Reduction::Min: reduced[c] = first ? value : std::min(reduced[c], value); break;
-        case Reduction::Max: reduced[c] = first ? value : std::max(reduced[c], value); break;
+        case Reduction::Mean:
+          reduced[c] += tap.weight * value;
+          break;
+        case Reduction::Min:
+          reduced[c] = first ? value : std::min(reduced[c], value);
+          break;
+        case Reduction::Max:
+          reduced[c] = first ? value : std::max(reduced[c], value);
+          break;
       }
     }
     first = false;

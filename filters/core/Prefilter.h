@@ -15,7 +15,7 @@ Image<double> encodeMap(const DepthMap& map, const Technique& technique, Storage
 
 // Each channel reduced over the kernel's window, edge texels repeated. Means are weighted by the
 // kernel; minima and maxima ignore its weights. The cost per texel does not grow with the radius
-// for box, min and max (running sums; Gil & Werman 1993). The result is not rounded.
+// for box, min and max (van Herk 1992; Gil & Werman 1993). The result is not rounded.
 Image<double> reduceMap(const Image<double>& channels, std::span<const Channel> layout,
                         const Kernel& kernel);
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace umbra {
@@ -18,24 +18,6 @@ inline std::vector<double> padded(const std::vector<double>& line, int r) {
 
 }  // namespace detail
 
-// Mean of 2r+1 values by a running sum. The sum is compensated (Neumaier 1974), so that a large
-// value that has left the window leaves no rounding error behind.
-inline void slidingMean(std::vector<double>& line, int r) {
-  const std::vector<double> wide = detail::padded(line, r);
-  double sum = 0.0, lost = 0.0;
-  const auto add = [&](double value) {
-    const double next = sum + value;
-    lost += std::abs(sum) >= std::abs(value) ? (sum - next) + value : (value - next) + sum;
-    sum = next;
-  };
-  for (int i = 0; i < 2 * r; ++i) add(wide[i]);
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    add(wide[i + 2 * r]);
-    line[i] = (sum + lost) / (2 * r + 1);
-    add(-wide[i]);
-  }
-}
-
 // Weighted mean; `weights` has 2r+1 values.
 inline void slidingWeightedMean(std::vector<double>& line, const std::vector<double>& weights) {
   const std::vector<double> wide = detail::padded(line, int(weights.size()) / 2);
@@ -46,22 +28,38 @@ inline void slidingWeightedMean(std::vector<double>& line, const std::vector<dou
   }
 }
 
-// Minimum or maximum of 2r+1 values, by van Herk's and Gil & Werman's method: blocks as long as
-// the window, each with its running extreme from the left and from the right, so that every
-// window is the better of two values.
-template <class Better>
-void slidingExtreme(std::vector<double>& line, int r, Better better) {
+// Any associative reduction of 2r+1 values, by van Herk's and Gil & Werman's method: blocks as long
+// as the window, each with its running result from the left and from the right, so that every
+// window is the end of one block and the beginning of the next. Three operations a texel, whatever
+// the radius.
+template <class Combine>
+void slidingReduction(std::vector<double>& line, int r, Combine combine) {
   const std::size_t window = 2 * std::size_t(r) + 1;
   std::vector<double> fromLeft = detail::padded(line, r);
   fromLeft.resize((fromLeft.size() + window - 1) / window * window, fromLeft.back());
   std::vector<double> fromRight = fromLeft;
   for (std::size_t i = 1; i < fromLeft.size(); ++i) {
-    if (i % window != 0) fromLeft[i] = better(fromLeft[i], fromLeft[i - 1]);
+    if (i % window != 0) fromLeft[i] = combine(fromLeft[i - 1], fromLeft[i]);
     const std::size_t j = fromLeft.size() - 1 - i;
-    if ((j + 1) % window != 0) fromRight[j] = better(fromRight[j], fromRight[j + 1]);
+    if ((j + 1) % window != 0) fromRight[j] = combine(fromRight[j], fromRight[j + 1]);
   }
   for (std::size_t i = 0; i < line.size(); ++i)
-    line[i] = better(fromRight[i], fromLeft[i + window - 1]);
+    line[i] = i % window == 0 ? fromRight[i] : combine(fromRight[i], fromLeft[i + window - 1]);
+}
+
+// Mean of 2r+1 values. Unlike a running sum nothing is ever subtracted, so that positive values,
+// such as exponentials forty orders of magnitude apart, keep full relative accuracy.
+inline void slidingMean(std::vector<double>& line, int r) {
+  slidingReduction(line, r, [](double a, double b) { return a + b; });
+  for (double& value : line) value /= 2 * r + 1;
+}
+
+inline void slidingMinimum(std::vector<double>& line, int r) {
+  slidingReduction(line, r, [](double a, double b) { return std::min(a, b); });
+}
+
+inline void slidingMaximum(std::vector<double>& line, int r) {
+  slidingReduction(line, r, [](double a, double b) { return std::max(a, b); });
 }
 
 }  // namespace umbra

@@ -1,0 +1,28 @@
+// Techniques against the reference over a whole depth map.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "analysis/Metrics.h"
+#include "filters/core/Image.h"
+#include "filters/core/Kernel.h"
+#include "filters/core/StorageFormat.h"
+#include "filters/core/Technique.h"
+
+namespace umbra {
+
+// Σ w [z ≥ receiver] at every texel, over the kernel's window: the reference of a point read, with
+// a receiver plane at depth `receiver`. One channel in [0,1], exactly 0 where every texel blocks.
+Image<double> referenceMap(const DepthMap& map, const Kernel& kernel, double receiver);
+
+// The metrics of every technique (parameters set, adapted to the map), in their order, over all
+// texels: point reads of the prefiltered map, a receiver plane at depth `receiver`. The cost per
+// texel does not grow with a box kernel's radius, but for techniques that are not prefilterable
+// it grows with the square, since they are given every texel's region.
+std::vector<Metrics> compareOnMap(const DepthMap& map,
+                                  std::span<const std::shared_ptr<const Technique>> techniques,
+                                  const Kernel& kernel, StorageFormat format, double receiver);
+
+}  // namespace umbra
