@@ -17,24 +17,27 @@ void umbraEncode(float z, inout float channels[UMBRA_CHANNELS]) {
 #endif
 }
 
-// The Chebyshev bound (eq. 3.3) in one warp. The bound does not change when warped depth is
-// measured in units of |g(z_r)|, and then nothing overflows: `mean` and `second` are the moments
-// in that unit, `t` the receiver there, 1 or −1, and the slope of the warp is c.
+// The Chebyshev bound (eq. 3.3) in one warp, with the receiver at t there and a slope of c·t. The
+// bound does not depend on the unit of warped depth: measured in the larger of |t| and |mean|, no
+// square leaves the range of a float.
 float umbraBound(float mean, float second, float t, float c) {
+  if (t <= mean) return 1.0;
+  float unit = max(abs(t), abs(mean));
+  mean /= unit;
+  t /= unit;
   float distance = t - mean;
-  if (distance <= 0.0) return 1.0;
-  float variance = max(second - mean * mean, umbra_min_variance * c * c);
+  float slope = c * t;
+  float variance = max(second / unit / unit - mean * mean, umbra_min_variance * slope * slope);
   float bound = variance / (variance + distance * distance);
   return clamp((bound - umbra_bleed_reduction) / (1.0 - umbra_bleed_reduction), 0.0, 1.0);
 }
 
 float umbraVisibility(float channels[UMBRA_CHANNELS], float receiver) {
-  // Divided twice: the square of g(z_r) itself would underflow for a receiver near the light.
-  float g = exp(umbra_positive_exponent * (receiver - 0.5));
-  float visibility = umbraBound(channels[0] / g, channels[1] / g / g, 1.0, umbra_positive_exponent);
+  float rising = exp(umbra_positive_exponent * (receiver - 0.5));
+  float visibility = umbraBound(channels[0], channels[1], rising, umbra_positive_exponent);
 #if UMBRA_CHANNELS == 4
-  g = exp(-umbra_negative_exponent * (receiver - 0.5));
-  visibility = min(visibility, umbraBound(channels[2] / g, channels[3] / g / g, -1.0,
+  float mirrored = -exp(-umbra_negative_exponent * (receiver - 0.5));
+  visibility = min(visibility, umbraBound(channels[2], channels[3], mirrored,
                                           umbra_negative_exponent));
 #endif
   return visibility;
