@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include <QFontMetricsF>
+#include <QImage>
+
+#include "ui/widgets/ColourBar.h"
+#include "ui/widgets/ColourMap.h"
+#include "ui/widgets/Style.h"
+
+namespace umbra {
+namespace {
+
+TEST(ColourMap, DivergingIsWhiteAtZeroBlueBelowAndRedAbove) {
+  const QRgb middle = colourAt(ColourMap::Diverging, 0.5);
+  EXPECT_GE(std::min({qRed(middle), qGreen(middle), qBlue(middle)}), 253);
+  EXPECT_GT(qBlue(colourAt(ColourMap::Diverging, 0.2)), qRed(colourAt(ColourMap::Diverging, 0.2)));
+  EXPECT_GT(qRed(colourAt(ColourMap::Diverging, 0.8)), qBlue(colourAt(ColourMap::Diverging, 0.8)));
+}
+
+TEST(ColourMap, SequentialMapsGetLighterAllTheWay) {
+  for (ColourMap map : {ColourMap::Viridis, ColourMap::Grey}) {
+    const auto& table = colourTable(map);
+    for (std::size_t i = 1; i < table.size(); ++i)
+      EXPECT_GE(qGray(table[i]) + 1, qGray(table[i - 1])) << "entry " << i;
+    EXPECT_GT(qGray(table[255]), qGray(table[0]) + 150);
+  }
+}
+
+TEST(ColourMap, ValuesBeyondTheEndsTakeTheEndsColour) {
+  EXPECT_EQ(colourAt(ColourMap::Viridis, -3.0), qRgb(0x44, 0x01, 0x54));
+  EXPECT_EQ(colourAt(ColourMap::Viridis, 7.0), qRgb(0xfd, 0xe7, 0x25));
+}
+
+TEST(ColourBar, IsThereForTheModesWhoseColoursAreAScale) {
+  ColourBar bar;
+  for (ViewMode mode : {ViewMode::Visibility, ViewMode::Error, ViewMode::Depth}) {
+    bar.setViewMode(mode);
+    EXPECT_FALSE(bar.isHidden());
+  }
+  for (ViewMode mode : {ViewMode::Shaded, ViewMode::Layers}) {
+    bar.setViewMode(mode);
+    EXPECT_TRUE(bar.isHidden());
+  }
+}
+
+TEST(ColourBar, DrawsItsMapFromLeftToRight) {
+  ColourBar bar;
+  bar.setScale(ColourMap::Grey, 0.0, 1.0, QString());
+  bar.resize(200, 40);
+  const QImage shown = bar.grab().toImage();
+  EXPECT_LT(qGray(shown.pixel(4, 5)), 30);
+  EXPECT_NEAR(qGray(shown.pixel(100, 5)), 128, 6);
+  EXPECT_GT(qGray(shown.pixel(195, 5)), 225);
+}
+
+TEST(Style, FiguresAlign) {
+  const QFont font = style::figures(QFont("Inter", 10));
+  const QFontMetricsF metrics(font);
+  EXPECT_NEAR(metrics.horizontalAdvance("1111"), metrics.horizontalAdvance("0000"), 0.2);
+}
+
+TEST(Style, ErrorsCarryASignUnlessTheyRoundToZero) {
+  EXPECT_EQ(style::signedFigure(0.2264), "+0.226");
+  EXPECT_EQ(style::signedFigure(-0.031), "−0.031");
+  EXPECT_EQ(style::signedFigure(-0.0001), "+0.000");
+}
+
+}  // namespace
+}  // namespace umbra

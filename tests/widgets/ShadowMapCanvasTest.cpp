@@ -1,0 +1,170 @@
+#include "ui/widgets/ShadowMapCanvas.h"
+
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <QTest>
+#include <cmath>
+#include <limits>
+
+#include "tests/widgets/ExampleProbe.h"
+#include "tests/widgets/Mouse.h"
+#include "ui/widgets/Style.h"
+
+namespace umbra {
+namespace {
+
+constexpr int side = 240;
+
+class ShadowMapCanvasTest : public testing::Test {
+ protected:
+  ShadowMapCanvasTest() {
+    canvas.resize(side, side);
+    canvas.show();
+    canvas.setColourMap(ColourMap::Grey);
+    canvas.setValues(numberedMap(16, 16));
+  }
+
+  QRgb greyOf(const QPoint& texel) const {
+    const double share = (canvas.valueAt(texel) - canvas.low()) / (canvas.high() - canvas.low());
+    return qRgb(int(1 + share * 254), int(1 + share * 254), int(1 + share * 254));
+  }
+
+  ShadowMapCanvas canvas;
+};
+
+bool isAmber(QRgb colour) {
+  return std::abs(qRed(colour) - style::probe.red()) < 12 &&
+         std::abs(qGreen(colour) - style::probe.green()) < 12 &&
+         std::abs(qBlue(colour) - style::probe.blue()) < 30;
+}
+
+TEST_F(ShadowMapCanvasTest, FitsTheWholeMapAtFirst) {
+  EXPECT_EQ(canvas.scale(), 15.0);
+  EXPECT_EQ(canvas.texelAt({0.5, 0.5}), QPoint(0, 0));
+  EXPECT_EQ(canvas.texelAt({side - 0.5, side - 0.5}), QPoint(15, 15));
+  canvas.resize(480, 480);
+  EXPECT_EQ(canvas.scale(), 30.0);
+}
+
+// In the middle of every texel, where neither grid nor figure can be: the colour drawn at a point
+// is that of the texel which texelAt names there.
+TEST_F(ShadowMapCanvasTest, DrawsTheTexelThatItNamesAtEveryZoom) {
+  for (double factor : {0.31, 1.0, 1.7, 2.9}) {
+    canvas.fit();
+    canvas.zoomAbout({70.0, 150.0}, factor);
+    const QImage shown = canvas.grab().toImage().convertToFormat(QImage::Format_RGB32);
+    int compared = 0;
+    for (int y = 0; y < side; y += 3)
+      for (int x = 0; x < side; x += 3) {
+        const QPointF point(x + 0.5, y + 0.5);
+        const auto texel = canvas.texelAt(point);
+        if (!texel) continue;
+        const QRectF cell = canvas.rectOfTexels({*texel, QSize(1, 1)});
+        // Double rounding may put a point that lies on an edge to either side of it.
+        EXPECT_TRUE(cell.adjusted(-1e-9, -1e-9, 1e-9, 1e-9).contains(point));
+        const QPointF fromEdge = point - cell.topLeft();
+        const double margin = cell.width() > 6 ? 2.0 : 0.0;  // of a grid line
+        if (std::min({fromEdge.x(), fromEdge.y(), cell.width() - fromEdge.x(),
+                      cell.height() - fromEdge.y()}) < margin)
+          continue;
+        EXPECT_LE(std::abs(qRed(shown.pixel(x, y)) - qRed(greyOf(*texel))), 1)
+            << "pixel " << x << ", " << y << " at zoom " << factor;
+        ++compared;
+      }
+    EXPECT_GT(compared, 100);
+  }
+}
+
+TEST_F(ShadowMapCanvasTest, ZoomKeepsTheTexelUnderTheCursor) {
+  const QPointF cursor(77.5, 191.5);
+  const auto before = canvas.texelAt(cursor);
+  for (int i = 0; i < 6; ++i) {
+    canvas.zoomAbout(cursor, 1.4);
+    EXPECT_EQ(canvas.texelAt(cursor), before);
+  }
+}
+
+TEST_F(ShadowMapCanvasTest, HoverAndClickNameTheTexel) {
+  QSignalSpy hovered(&canvas, &ShadowMapCanvas::texelHovered);
+  QSignalSpy clicked(&canvas, &ShadowMapCanvas::texelClicked);
+  canvas.zoomAbout({120.0, 120.0}, 2.0);
+  const QPoint place = canvas.rectOfTexels({6, 9, 1, 1}).center().toPoint();
+  moveMouse(&canvas, place);
+  ASSERT_EQ(hovered.count(), 1);
+  EXPECT_EQ(hovered.last()[0].toInt(), 6);
+  EXPECT_EQ(hovered.last()[1].toInt(), 9);
+  QTest::mouseClick(&canvas, Qt::LeftButton, {}, place);
+  ASSERT_EQ(clicked.count(), 1);
+  EXPECT_EQ(clicked[0][0].toInt(), 6);
+  EXPECT_EQ(clicked[0][1].toInt(), 9);
+}
+
+TEST_F(ShadowMapCanvasTest, DragMovesTheMapAndClicksNothing) {
+  QSignalSpy clicked(&canvas, &ShadowMapCanvas::texelClicked);
+  canvas.zoomAbout({120.0, 120.0}, 3.0);
+  const auto under = canvas.texelAt({100.5, 100.5});
+  QTest::mousePress(&canvas, Qt::LeftButton, {}, {100, 100});
+  moveMouse(&canvas, {130, 80}, Qt::LeftButton);
+  QTest::mouseRelease(&canvas, Qt::LeftButton, {}, {130, 80});
+  EXPECT_EQ(canvas.texelAt({130.5, 80.5}), under);
+  EXPECT_EQ(clicked.count(), 0);
+}
+
+TEST_F(ShadowMapCanvasTest, DoubleClickShowsTheWholeMap) {
+  canvas.zoomAbout({10.0, 10.0}, 5.0);
+  QTest::mouseDClick(&canvas, Qt::LeftButton, {}, {50, 50});
+  EXPECT_EQ(canvas.scale(), 15.0);
+}
+
+TEST_F(ShadowMapCanvasTest, OutlinesTheRegionWhereItIs) {
+  canvas.setRegion(regionAround(8, 6, 2));
+  EXPECT_EQ(canvas.regionTexels(), QRect(6, 4, 5, 5));
+  const QRectF outline = canvas.rectOfTexels(canvas.regionTexels());
+  EXPECT_EQ(outline, QRectF(90, 60, 75, 75));
+  const QImage shown = canvas.grab().toImage();
+  EXPECT_TRUE(isAmber(shown.pixel(90, 72)));
+  EXPECT_TRUE(isAmber(shown.pixel(164, 72)));
+  EXPECT_TRUE(isAmber(shown.pixel(100, 60)));
+  EXPECT_TRUE(isAmber(shown.pixel(100, 134)));
+  EXPECT_FALSE(isAmber(shown.pixel(80, 72)));
+  EXPECT_FALSE(isAmber(shown.pixel(100, 72)));
+  const QPoint centre = canvas.rectOfTexels({8, 6, 1, 1}).center().toPoint();
+  EXPECT_TRUE(isAmber(shown.pixel(centre)));
+  canvas.setRegion(std::nullopt);
+  EXPECT_FALSE(isAmber(canvas.grab().toImage().pixel(90, 72)));
+}
+
+TEST_F(ShadowMapCanvasTest, RegionFillsTwoThirdsOfTheView) {
+  canvas.setValues(numberedMap(64, 64));
+  canvas.setRegion(regionAround(40, 20, 3));
+  canvas.showRegion();
+  const QRectF outline = canvas.rectOfTexels(canvas.regionTexels());
+  EXPECT_NEAR(outline.width(), side * 2.0 / 3.0, 1e-9);
+  EXPECT_NEAR(outline.center().x(), side / 2.0, 1e-9);
+  EXPECT_NEAR(outline.center().y(), side / 2.0, 1e-9);
+}
+
+TEST_F(ShadowMapCanvasTest, RangeIsThatOfTheFiniteValues) {
+  Image<float> map(2, 2);
+  map(0, 0) = std::numeric_limits<float>::quiet_NaN();
+  map(1, 0) = std::numeric_limits<float>::infinity();
+  map(0, 1) = -2.0F;
+  map(1, 1) = 3.0F;
+  canvas.setValues(map);
+  EXPECT_EQ(canvas.low(), -2.0);
+  EXPECT_EQ(canvas.high(), 3.0);
+  EXPECT_FALSE(canvas.grab().isNull());
+}
+
+TEST_F(ShadowMapCanvasTest, NewValuesOfTheSameSizeKeepTheZoom) {
+  canvas.zoomAbout({50.0, 60.0}, 2.5);
+  const double scale = canvas.scale();
+  canvas.setValues(numberedMap(16, 16));
+  EXPECT_EQ(canvas.scale(), scale);
+  canvas.setValues(numberedMap(32, 32));
+  EXPECT_EQ(canvas.scale(), 7.5);
+}
+
+}  // namespace
+}  // namespace umbra

@@ -1,0 +1,125 @@
+#include <gtest/gtest.h>
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QHeaderView>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTest>
+#include <limits>
+
+#include "tests/widgets/ExampleProbe.h"
+#include "ui/widgets/ProbeTable.h"
+#include "ui/widgets/ProbeTableModel.h"
+#include "ui/widgets/RegionTable.h"
+#include "ui/widgets/Style.h"
+
+namespace umbra {
+namespace {
+
+TEST(RegionTable, ShowsTheStatisticsOfTheProbe) {
+  RegionTable table;
+  table.setProbe(exampleProbe());
+  EXPECT_EQ(table.asText(),
+            "texel\t12, 8\ntexels\t121 · box 11×11\nmean\t0.4977\nσ²\t0.02328\n"
+            "min, max\t0.257, 0.643\nβ\t1.653\nreceiver\t0.7800\nreference\t0.0000\n");
+}
+
+TEST(RegionTable, InfiniteBetaIsWrittenAsInfinity) {
+  Probe probe = exampleProbe();
+  probe.statistics.beta = std::numeric_limits<double>::infinity();
+  RegionTable table;
+  table.setProbe(probe);
+  EXPECT_TRUE(table.asText().contains("β\t∞\n"));
+}
+
+TEST(RegionTable, ClearedTableShowsNoFigures) {
+  RegionTable table;
+  table.setProbe(exampleProbe());
+  table.clear();
+  for (const QString& line : table.asText().split('\n', Qt::SkipEmptyParts))
+    EXPECT_TRUE(line.endsWith("\t–")) << line.toStdString();
+}
+
+class ProbeTableTest : public testing::Test {
+ protected:
+  ProbeTableTest() {
+    table.resize(520, 240);
+    table.show();
+    table.setProbe(exampleProbe(), "vsm");
+  }
+
+  QString cell(int row, int column) {
+    return table.view()->model()->index(row, column).data().toString();
+  }
+
+  ProbeTable table;
+};
+
+TEST_F(ProbeTableTest, ShowsVisibilityGpuAndSignedError) {
+  using Model = ProbeTableModel;
+  EXPECT_EQ(cell(1, Model::TitleColumn), "Variance (VSM)");
+  EXPECT_EQ(cell(1, Model::ValueColumn), "0.226");
+  EXPECT_EQ(cell(1, Model::GpuColumn), "0.226");
+  EXPECT_EQ(cell(1, Model::ErrorColumn), "+0.226");
+  EXPECT_EQ(cell(0, Model::GpuColumn), "");
+  EXPECT_EQ(cell(0, Model::ErrorColumn), "+0.000");
+  EXPECT_EQ(cell(2, Model::ErrorColumn), "−0.031");
+  EXPECT_FALSE(table.view()->isColumnHidden(Model::GpuColumn));
+}
+
+TEST_F(ProbeTableTest, GpuColumnIsThereOnlyWithValues) {
+  Probe probe = exampleProbe();
+  probe.techniques[1].gpu.reset();
+  table.setProbe(probe, "vsm");
+  EXPECT_TRUE(table.view()->isColumnHidden(ProbeTableModel::GpuColumn));
+}
+
+TEST_F(ProbeTableTest, CopiesFullPrecisionTabSeparated) {
+  table.copy();
+  const QString text = QGuiApplication::clipboard()->text();
+  EXPECT_EQ(text, table.asText());
+  EXPECT_EQ(text.split('\n').at(0), "technique\tvisibility\tgpu\terror");
+  EXPECT_EQ(text.split('\n').at(2), "Variance (VSM)\t0.2264\t0.2262\t0.2264");
+  EXPECT_EQ(text.split('\n').at(3), "Convolution (CSM)\t0\t\t-0.0312");
+}
+
+TEST_F(ProbeTableTest, TechniqueIsChosenByAPersonOnly) {
+  QSignalSpy chosen(&table, &ProbeTable::techniqueChosen);
+  table.setSelected("csm");
+  table.setProbe(exampleProbe(), "pcf");
+  EXPECT_EQ(chosen.count(), 0);
+  const QRect row = table.view()->visualRect(table.view()->model()->index(3, 0));
+  QTest::mouseClick(table.view()->viewport(), Qt::LeftButton, {}, row.center());
+  ASSERT_EQ(chosen.count(), 1);
+  EXPECT_EQ(chosen[0][0].toString(), "layered-power-cdf");
+}
+
+TEST_F(ProbeTableTest, BarLiesOnTheErrorsSideOfZero) {
+  const QImage shown = table.view()->viewport()->grab().toImage();
+  const auto reds = [&](int row) {
+    const QRect area =
+        table.view()->visualRect(table.view()->model()->index(row, ProbeTableModel::BarColumn));
+    std::pair<int, int> sides{0, 0};
+    for (int x = area.left(); x <= area.right(); ++x) {
+      if (QColor(shown.pixel(x, area.center().y())) != style::error) continue;
+      ++(x < area.center().x() ? sides.first : sides.second);
+    }
+    return sides;
+  };
+  const auto bleeding = reds(1), darkening = reds(3), exact = reds(0);
+  EXPECT_LE(bleeding.first, 1);
+  EXPECT_GT(bleeding.second, 3);
+  EXPECT_GT(darkening.first, 4 * bleeding.second - 8);  // −1 against +0.226
+  EXPECT_LE(darkening.second, 1);
+  EXPECT_EQ(exact.first + exact.second, 0);
+}
+
+TEST_F(ProbeTableTest, NarrowTableKeepsTitleValueAndError) {
+  table.resize(260, 240);
+  EXPECT_FALSE(table.view()->isColumnHidden(ProbeTableModel::ErrorColumn));
+  EXPECT_LE(table.view()->horizontalHeader()->length(), table.view()->viewport()->width());
+}
+
+}  // namespace
+}  // namespace umbra
