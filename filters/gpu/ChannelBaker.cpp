@@ -4,6 +4,7 @@
 #include "Encode_comp_glsl.h"
 #include "Evaluate_comp_glsl.h"
 #include "Reduce_glsl.h"
+#include "Store_glsl.h"
 #include "WeightedReduce_comp_glsl.h"
 #include "filters/core/Error.h"
 #include "filters/gpu/TechniqueShader.h"
@@ -31,7 +32,9 @@ GLuint groups(int items, int groupSize) {
   return GLuint((items + groupSize - 1) / groupSize);
 }
 
-void bindTarget(const gl::Texture& target) {
+// For shaders that write through Store.glsl.
+void bindTarget(GLuint program, const gl::Texture& target) {
+  gl::setUniform(program, "umbraHalf", target.format() == GL_RGBA16F ? 1 : 0);
   glBindImageTexture(0, target.name(), 0, GL_TRUE, 0, GL_WRITE_ONLY, target.format());
 }
 
@@ -68,13 +71,14 @@ void ChannelBaker::encode(Technique& technique, StorageFormat format) {
   encoded_.require(textureFormat(format), depth_.width(), depth_.height(),
                    layersFor(int(layout_.size())));
   const std::string name = "encode of " + std::string(technique.info().id);
-  const GLuint program = programs_.compute(name, computeSource(technique, Encode_comp_glsl));
+  const GLuint program =
+      programs_.compute(name, computeSource(technique, std::string(Store_glsl) + Encode_comp_glsl));
   setTechniqueUniforms(program, technique, format);
   gl::setUniform(program, "umbraDepthMap", depthUnit);
   gl::setUniform(program, "umbraChannelMap", channelUnit);
   glUseProgram(program);
   glBindTextureUnit(depthUnit, depth_.name());
-  bindTarget(encoded_);
+  bindTarget(program, encoded_);
   glDispatchCompute(groups(depth_.width(), 8), groups(depth_.height(), 8), 1);
   finish();
 }
@@ -93,7 +97,7 @@ void ChannelBaker::reduceAlong(int x, int y, const gl::Texture& source, const gl
                                const Kernel& kernel) {
   const bool box = kernel.shape == KernelShape::Box;
   const std::string text = "#version 430\n#define UMBRA_LAYERS " + std::to_string(source.layers()) +
-                           "\n" + Reduce_glsl +
+                           "\n" + Store_glsl + Reduce_glsl +
                            (box ? BlockReduce_comp_glsl : WeightedReduce_comp_glsl);
   const GLuint program = programs_.compute(box ? "box reduction" : "weighted reduction", text);
   std::vector<float> signs(std::size_t(source.layers()) * 4, 0.0f);
@@ -105,7 +109,7 @@ void ChannelBaker::reduceAlong(int x, int y, const gl::Texture& source, const gl
   if (!box) gl::setUniform(program, "umbraWeights", halfWeights(kernel));
   glUseProgram(program);
   glBindTextureUnit(channelUnit, source.name());
-  bindTarget(target);
+  bindTarget(program, target);
   if (box) {
     const int lines = x ? source.height() : source.width();
     const int length = x ? source.width() : source.height();
@@ -170,7 +174,7 @@ std::vector<float> ChannelBaker::evaluate(const gl::Texture& reads, Technique& t
   glBindTextureUnit(depthUnit, depth_.name());
   glBindTextureUnit(channelUnit, channelMap().name());
   glBindTextureUnit(readUnit, reads.name());
-  bindTarget(result);
+  bindTarget(program, result);
   glDispatchCompute(groups(reads.width(), 8), groups(reads.height(), 8), 1);
   finish();
   return result.read(2);

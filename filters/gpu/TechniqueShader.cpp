@@ -52,7 +52,7 @@ std::string techniqueSource(const Technique& technique) {
          std::string(technique.glsl()) + "\n";
 }
 
-std::string computeSource(const Technique& technique, const char* body) {
+std::string computeSource(const Technique& technique, const std::string& body) {
   return "#version 430\n" + techniqueSource(technique) + body;
 }
 

@@ -23,7 +23,7 @@ ChannelRange rangeOf(const Channel& channel, StorageFormat format);
 // samplers are umbraDepthMap and umbraChannelMap.
 std::string techniqueSource(const Technique& technique);
 // The same as a whole compute shader, around `body` with its main.
-std::string computeSource(const Technique& technique, const char* body);
+std::string computeSource(const Technique& technique, const std::string& body);
 
 // Parameters, derived uniforms and channel ranges. Does not bind the program.
 void setTechniqueUniforms(GLuint program, Technique& technique, StorageFormat format);

@@ -1,8 +1,6 @@
 // Each texel's depth through the technique's umbraEncode, four channels to a layer.
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 0) writeonly uniform image2DArray umbraTarget;
-
 void main() {
   ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(texel, textureSize(umbraDepthMap, 0)))) return;
@@ -15,6 +13,6 @@ void main() {
       int channel = layer * 4 + c;
       four[c] = (channels[channel] - umbraLow[channel]) / umbraSpan[channel];
     }
-    imageStore(umbraTarget, ivec3(texel, layer), four);
+    umbraStoreTexel(ivec3(texel, layer), four);
   }
 }

@@ -2,7 +2,6 @@
 // normalised format changes neither means nor extremes.
 
 uniform sampler2DArray umbraSource;
-layout(binding = 0) writeonly uniform image2DArray umbraTarget;
 
 uniform ivec2 umbraAxis;                // (1,0) along rows, (0,1) along columns
 uniform int umbraRadius;                // texels
@@ -23,6 +22,5 @@ vec4 umbraCombine(vec4 a, vec4 b, int layer) {
 void umbraStore(ivec2 texel, int layer, vec4 value, float meanFactor) {
   bvec4 isMin = lessThan(umbraSigns[layer], vec4(0.0));
   bvec4 isMean = equal(umbraSigns[layer], vec4(0.0));
-  imageStore(umbraTarget, ivec3(texel, layer),
-             mix(mix(value, -value, isMin), value * meanFactor, isMean));
+  umbraStoreTexel(ivec3(texel, layer), mix(mix(value, -value, isMin), value * meanFactor, isMean));
 }
