@@ -23,11 +23,13 @@ std::string joined(std::span<const std::string> parts, std::string_view separato
 
 std::vector<std::string> split(std::string_view text, char separator) {
   std::vector<std::string> parts;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find(separator), text.size());
+  if (text.empty()) return parts;
+  // A separator at the end has an empty part behind it, as one at the beginning has before it.
+  for (std::size_t end = text.find(separator); end != text.npos; end = text.find(separator)) {
     parts.emplace_back(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
+    text.remove_prefix(end + 1);
   }
+  parts.emplace_back(text);
   return parts;
 }
 

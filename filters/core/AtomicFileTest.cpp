@@ -1,0 +1,99 @@
+#include "filters/core/AtomicFile.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "filters/core/Error.h"
+
+namespace umbra {
+namespace {
+
+namespace fs = std::filesystem;
+
+class AtomicFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+    folder_ = fs::temp_directory_path() / ("umbra-atomic-" + name);
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  static std::string contentOf(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+  std::size_t entries() const {
+    return std::size_t(std::distance(fs::directory_iterator(folder_), {}));
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(AtomicFile, WritesAllBytesAndMakesTheFolder) {
+  const std::string content("a\0b\r\nc", 6);
+  writeTextAtomically(folder_ / "new" / "deep" / "file.csv", content);
+  EXPECT_EQ(contentOf(folder_ / "new" / "deep" / "file.csv"), content);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "new" / "deep"), {}), 1);
+}
+
+TEST_F(AtomicFile, ReplacesWhatWasThere) {
+  writeTextAtomically(folder_ / "file.txt", "old and longer");
+  writeTextAtomically(folder_ / "file.txt", "new");
+  EXPECT_EQ(contentOf(folder_ / "file.txt"), "new");
+  EXPECT_EQ(entries(), 1u);
+}
+
+TEST_F(AtomicFile, GivesTheTemporaryFileTheSameExtension) {
+  writeAtomically(folder_ / "picture.png", [&](const fs::path& temporary) {
+    EXPECT_EQ(temporary.extension(), ".png");
+    EXPECT_EQ(temporary.parent_path(), folder_);
+    std::ofstream(temporary) << "x";
+  });
+  EXPECT_EQ(contentOf(folder_ / "picture.png"), "x");
+}
+
+TEST_F(AtomicFile, KeepsTheOldFileWhenWritingFails) {
+  writeTextAtomically(folder_ / "file.txt", "old");
+  try {
+    writeAtomically(folder_ / "file.txt", [](const fs::path& temporary) {
+      std::ofstream(temporary) << "half";
+      throw std::runtime_error("the disk is gone");
+    });
+    ADD_FAILURE() << "did not throw";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::BadOutput);
+    const std::string message = error.what();
+    EXPECT_NE(message.find((folder_ / "file.txt").string()), std::string::npos);
+    EXPECT_NE(message.find("the disk is gone"), std::string::npos);
+  }
+  EXPECT_EQ(contentOf(folder_ / "file.txt"), "old");
+  EXPECT_EQ(entries(), 1u);
+}
+
+TEST_F(AtomicFile, RefusesAFolderInThePlaceOfTheFileAndAFileInThatOfTheFolder) {
+  fs::create_directories(folder_ / "taken.txt");
+  writeTextAtomically(folder_ / "file", "here");
+  for (const fs::path& file : {folder_ / "taken.txt", folder_ / "file" / "inside.txt"}) {
+    try {
+      writeTextAtomically(file, "x");
+      ADD_FAILURE() << file << " was accepted";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::BadOutput);
+      EXPECT_NE(std::string(error.what()).find(file.string()), std::string::npos);
+    }
+  }
+  EXPECT_EQ(contentOf(folder_ / "file"), "here");
+  EXPECT_EQ(entries(), 2u);
+}
+
+TEST_F(AtomicFile, LeavesNothingWhenNothingWasWritten) {
+  EXPECT_THROW(writeAtomically(folder_ / "file.txt", [](const fs::path&) {}), Error);
+  EXPECT_EQ(entries(), 0u);
+}
+
+}  // namespace
+}  // namespace umbra

@@ -1,0 +1,45 @@
+#include "filters/core/Text.h"
+
+#include <gtest/gtest.h>
+
+namespace umbra {
+namespace {
+
+using Parts = std::vector<std::string>;
+
+TEST(ShortNumber, HasFourDigitsAndNoIdleZeros) {
+  EXPECT_EQ(shortNumber(0.22637), "0.2264");
+  EXPECT_EQ(shortNumber(1e-6), "1e-06");
+  EXPECT_EQ(shortNumber(12.0), "12");
+  EXPECT_EQ(shortNumber(-0.5), "-0.5");
+  EXPECT_EQ(shortNumber(0.0), "0");
+}
+
+TEST(Joined, PutsTheSeparatorBetween) {
+  EXPECT_EQ(joined(Parts{}), "");
+  EXPECT_EQ(joined(Parts{"a"}), "a");
+  EXPECT_EQ(joined(Parts{"a", "b", "c"}), "a, b, c");
+  EXPECT_EQ(joined(Parts{"a", "b"}, ":"), "a:b");
+}
+
+TEST(Split, TakesPartsBetweenSeparators) {
+  EXPECT_EQ(split("", ':'), Parts{});
+  EXPECT_EQ(split("a", ':'), Parts{"a"});
+  EXPECT_EQ(split("a:b:c", ':'), (Parts{"a", "b", "c"}));
+  EXPECT_EQ(split("a::c", ':'), (Parts{"a", "", "c"}));
+  EXPECT_EQ(split(":a", ':'), (Parts{"", "a"}));
+  EXPECT_EQ(split("a:", ':'), (Parts{"a", ""}));
+  EXPECT_EQ(split(":", ':'), (Parts{"", ""}));
+}
+
+TEST(NearestWord, FindsWhatWasMeant) {
+  const Parts names{"vsm", "evsm2", "evsm4", "power-cdf", "layered-power-cdf"};
+  EXPECT_EQ(nearestWord("vms", names), "vsm");
+  EXPECT_EQ(nearestWord("powercdf", names), "power-cdf");
+  EXPECT_EQ(nearestWord("evsm4", names), "evsm4");
+  EXPECT_EQ(nearestWord("something", names), "");
+  EXPECT_EQ(nearestWord("vsm", Parts{}), "");
+}
+
+}  // namespace
+}  // namespace umbra
