@@ -1,0 +1,137 @@
+#include "tests/properties/Draws.h"
+
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "filters/core/Prefilter.h"
+#include "filters/core/TechniqueCatalogue.h"
+
+namespace umbra::draws {
+namespace {
+
+// Both ends included.
+int whole(int low, int high) {
+  return *rc::gen::inRange(low, high + 1);
+}
+
+DepthMap drawnMap() {
+  DepthMap map(whole(1, 9), whole(1, 9), 1, 1.0);
+  const std::vector<double> planes{unit(), unit(), unit()};
+  const int kind = whole(0, 4);
+  const double base = unit(), slope = between(-0.05, 0.05);
+  for (int y = 0; y < map.height(); ++y) {
+    for (int x = 0; x < map.width(); ++x) {
+      double depth = planes[0];
+      if (kind == 0) depth = unit();
+      if (kind == 1) depth = planes[whole(0, 2)];
+      if (kind == 3) depth = x > y ? std::clamp(base + slope * (x + 2 * y), 0.0, 1.0) : planes[0];
+      if (kind == 4) depth = whole(0, 1) ? 1.0 : planes[0];
+      map(x, y) = depth;
+    }
+  }
+  return map;
+}
+
+ParameterValue drawnValue(const Parameter& parameter) {
+  if (!parameter.choices.empty())
+    return std::string(parameter.choices[whole(0, int(parameter.choices.size()) - 1)]);
+  if (std::holds_alternative<int>(parameter.defaultValue))
+    return whole(int(parameter.low), int(parameter.high));
+  if (std::holds_alternative<double>(parameter.defaultValue)) {
+    const double u = unit();
+    if (u == 0.0 || u == 1.0) return u == 0.0 ? parameter.low : parameter.high;
+    return parameter.scale == Scale::Logarithmic
+               ? parameter.low * std::pow(parameter.high / parameter.low, u)
+               : parameter.low + u * (parameter.high - parameter.low);
+  }
+  // Lists are layer splits: they rise strictly inside the range.
+  std::set<double> list;
+  for (int i = whole(0, 6); i > 0; --i) {
+    const double value = between(parameter.low, parameter.high);
+    if (value > parameter.low && value < parameter.high) list.insert(value);
+  }
+  return std::vector<double>(list.begin(), list.end());
+}
+
+}  // namespace
+
+double unit() {
+  constexpr int fine = 1 << 24;
+  if (whole(0, 3) == 0) return whole(0, 8) / 8.0;
+  return double(whole(0, fine)) / fine;
+}
+
+double between(double low, double high) {
+  return low + unit() * (high - low);
+}
+
+Place place() {
+  Place drawn;
+  drawn.map = drawnMap();
+  drawn.kernel.shape =
+      *rc::gen::element(KernelShape::None, KernelShape::Box, KernelShape::Gaussian);
+  drawn.kernel.radius = whole(0, 6);
+  drawn.kernel.sigma = whole(0, 1) ? 0.0 : between(0.25, 4.0);
+  drawn.region = whole(0, 1)
+                     ? regionAtTexel(drawn.map, drawn.kernel, whole(0, drawn.map.width() - 1),
+                                     whole(0, drawn.map.height() - 1))
+                     : regionBilinear(drawn.map, drawn.kernel, unit(), unit());
+  return drawn;
+}
+
+double receiverFor(const Region& region) {
+  if (whole(0, 1)) return unit();
+  const double depth = region.texels[whole(0, int(region.texels.size()) - 1)].depth;
+  const double step = *rc::gen::element(0.0, 0.0, 1e-9, -1e-9, 1e-3, -1e-3);
+  return std::clamp(depth + step, 0.0, 1.0);
+}
+
+void parametersOf(Technique& technique) {
+  for (const Parameter& parameter : technique.parameters())
+    parameter.set(drawnValue(parameter), "drawn");
+}
+
+StorageFormat formatFor(Technique& technique) {
+  std::vector<StorageFormat> accepted;
+  for (StorageFormat format : {StorageFormat::Double, StorageFormat::Float, StorageFormat::Half,
+                               StorageFormat::Unorm16, StorageFormat::Unorm8})
+    if (technique.refusal(format).empty()) accepted.push_back(format);
+  const StorageFormat format = accepted[whole(0, int(accepted.size()) - 1)];
+  technique.limitTo(format);
+  return format;
+}
+
+std::vector<std::string> techniqueIds() {
+  const TechniqueCatalogue catalogue = allTechniques();
+  std::vector<std::string> ids;
+  for (const Technique* technique : catalogue.all()) ids.emplace_back(technique->info().id);
+  return ids;
+}
+
+std::string caseName(std::string id) {
+  std::replace(id.begin(), id.end(), '-', '_');
+  return id;
+}
+
+std::unique_ptr<Technique> make(const std::string& id) {
+  return allTechniques().make(id);
+}
+
+double visibilityOf(const Technique& technique, const Region& region, double receiver,
+                    StorageFormat format) {
+  const std::vector<double> channels = prefilteredRegion(region, technique, format);
+  return technique.visibility({channels, region}, receiver);
+}
+
+Region regionOf(const std::vector<double>& depths, const std::vector<double>& weights) {
+  Region region;
+  for (std::size_t i = 0; i < depths.size(); ++i)
+    region.texels.push_back({int(i), 0, depths[i], weights[i]});
+  region.nearestDepth = depths.front();
+  return region;
+}
+
+}  // namespace umbra::draws

@@ -1,0 +1,48 @@
+// Random maps, regions, receivers and parameters, drawn by RapidCheck inside a property.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "filters/core/Kernel.h"
+#include "filters/core/Region.h"
+#include "filters/core/StorageFormat.h"
+#include "filters/core/Technique.h"
+
+namespace umbra::draws {
+
+// In [0,1]; the ends and simple fractions are frequent.
+double unit();
+double between(double low, double high);
+
+// A texel of a small map: noise, a few planes, one depth, a slope with an edge, or open ground.
+struct Place {
+  DepthMap map;
+  Kernel kernel;
+  Region region;  // read at a texel, or bilinearly between texels
+};
+Place place();
+
+// Anywhere, or at or just beside one of the region's depths.
+double receiverFor(const Region& region);
+
+// Every parameter of the technique, over its whole range.
+void parametersOf(Technique& technique);
+
+// One that the technique does not refuse, to whose limits it is then brought.
+StorageFormat formatFor(Technique& technique);
+
+// Ids of all techniques, and the same with '_' for names of test cases.
+std::vector<std::string> techniqueIds();
+std::string caseName(std::string id);
+std::unique_ptr<Technique> make(const std::string& id);
+
+// The visibility from channels that were reduced over the region without a map.
+double visibilityOf(const Technique& technique, const Region& region, double receiver,
+                    StorageFormat format = StorageFormat::Double);
+
+// A region of these depths and weights.
+Region regionOf(const std::vector<double>& depths, const std::vector<double>& weights);
+
+}  // namespace umbra::draws
