@@ -29,7 +29,8 @@ std::vector<Parameter> LayeredPowerCdf::parameters() {
 std::vector<Channel> LayeredPowerCdf::channels() const {
   std::vector<Channel> channels;
   for (int i = 1; i <= layering().count; ++i) {
-    const std::string layer = "L" + std::to_string(i);
+    std::string layer = "L";
+    layer += std::to_string(i);
     channels.push_back({layer + "mean"});
     channels.push_back({layer + "min", Reduction::Min});
     channels.push_back({layer + "max", Reduction::Max});

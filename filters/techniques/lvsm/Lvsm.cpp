@@ -29,7 +29,8 @@ std::vector<Parameter> Lvsm::parameters() {
 std::vector<Channel> Lvsm::channels() const {
   std::vector<Channel> channels;
   for (int i = 1; i <= layering().count; ++i) {
-    const std::string layer = "L" + std::to_string(i);
+    std::string layer = "L";
+    layer += std::to_string(i);
     channels.push_back({layer + "M1"});
     channels.push_back({layer + "M2"});
   }

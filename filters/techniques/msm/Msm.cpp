@@ -6,6 +6,7 @@
 #include "Msm_glsl.h"
 #include "Msm_md.h"
 #include "filters/core/TechniqueCatalogue.h"
+#include "filters/core/Text.h"
 #include "filters/techniques/msm/Hamburger.h"
 #include "filters/techniques/vsm/Chebyshev.h"
 
@@ -20,15 +21,29 @@ const TechniqueInfo& Msm::info() const {
       .summary = "Stores four power moments of depth; the sharpest bound that they allow.",
       .formula = "v = largest P(z ≥ z_r) over all distributions with moments M1 … M4",
       .order = 90,
+      // About 1/√α for the default bias α: the pivots of the biased Hankel matrix are no smaller.
+      .amplification = 180.0,
       .colour = "#6b8e23"};
   return info;
 }
 
 std::vector<std::string> Msm::limitTo(StorageFormat format) {
-  if (!isNormalised(format) || values.basis == Basis::Quantised) return {};
-  values.basis = Basis::Quantised;
-  return {"msm.basis moments loses too many digits in " + std::string(nameOf(format)) +
-          "; quantised is used"};
+  std::vector<std::string> changes;
+  if (isNormalised(format) && values.basis == Basis::Moments) {
+    values.basis = Basis::Quantised;
+    changes.push_back("msm.basis moments loses too many digits in " + std::string(nameOf(format)) +
+                      "; quantised is used");
+  }
+  // Rounded moments need not belong to any distribution: less bias than the last digit is worth
+  // leaves a system that amplifies its error without bound. Raw moments lie closer together.
+  const double digits = values.basis == Basis::Quantised ? 2.0 : 8.0;
+  const double smallest = digits * unitRoundoff(format);
+  if (values.momentBias < smallest) {
+    values.momentBias = smallest;
+    changes.push_back("msm.moment-bias is below what " + std::string(nameOf(format)) +
+                      " resolves; " + shortNumber(smallest) + " is used");
+  }
+  return changes;
 }
 
 void Msm::encode(double z, std::span<double> channels) const {

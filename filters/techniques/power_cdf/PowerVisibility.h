@@ -15,13 +15,15 @@ inline double powerVisibility(double mean, double min, double max, double receiv
   // From here on mean < receiver < max, so that β is finite, and min < mean makes it positive.
   if (receiver >= max || mean <= min) return 0.0;
   const double beta = (mean - min) / (max - mean);
-  // ln of t = (receiver − min)/(max − min) and of t̄ = β/(β+1), both by way of 1 − t: where β is
-  // large, t is near 1 and t^β needs all digits of what is missing.
+  // ln of t = (receiver − min)/(max − min) and of t̄ = β/(β+1). Where t is near 1, t^β needs all
+  // digits of 1 − t.
   const double range = max - min;
-  const double logT = std::log1p(-(max - receiver) / range);
-  const double logMean = std::log1p(-(max - mean) / range);
-  const double above = -std::expm1(beta * logT);
-  const double aboveMean = -std::expm1(beta * logMean);
+  const auto logOf = [&](double depth) {
+    const double t = (depth - min) / range;
+    return t < 0.5 ? std::log(t) : std::log1p(-(max - depth) / range);
+  };
+  const double above = -std::expm1(beta * logOf(receiver));
+  const double aboveMean = -std::expm1(beta * logOf(mean));
   return std::clamp(above / aboveMean, 0.0, 1.0);
 }
 
