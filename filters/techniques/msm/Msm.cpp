@@ -29,15 +29,15 @@ const TechniqueInfo& Msm::info() const {
 
 std::vector<std::string> Msm::limitTo(StorageFormat format) {
   std::vector<std::string> changes;
-  if (isNormalised(format) && values.basis == Basis::Moments) {
+  const bool coarse = unitRoundoff(format) > unitRoundoff(StorageFormat::Float);
+  if (coarse && values.basis == Basis::Moments) {
     values.basis = Basis::Quantised;
     changes.push_back("msm.basis moments loses too many digits in " + std::string(nameOf(format)) +
                       "; quantised is used");
   }
   // Rounded moments need not belong to any distribution: less bias than the last digit is worth
-  // leaves a system that amplifies its error without bound. Raw moments lie closer together.
-  const double digits = values.basis == Basis::Quantised ? 2.0 : 8.0;
-  const double smallest = digits * unitRoundoff(format);
+  // leaves a system that amplifies its error without bound.
+  const double smallest = 2.0 * unitRoundoff(format);
   if (values.momentBias < smallest) {
     values.momentBias = smallest;
     changes.push_back("msm.moment-bias is below what " + std::string(nameOf(format)) +

@@ -63,9 +63,12 @@ float umbraVisibility(float channels[UMBRA_CHANNELS], float receiver) {
   float near = min(one, other);
   float far = max(one, other);
 
-  if (receiver <= near) return 1.0;
+  // A root that rounding has moved across the receiver would turn its depth from lit to occluded,
+  // so equality has the width of that rounding.
+  const float equal = 2e-6;
+  if (receiver <= near + equal) return 1.0;
   float occluded =
-      receiver <= far
+      receiver <= far + equal
           ? (receiver * far - b.x * (receiver + far) + b.y) / ((far - near) * (receiver - near))
           : 1.0 - (near * far - b.x * (near + far) + b.y) / ((receiver - near) * (receiver - far));
   float visibility = clamp(1.0 - occluded, 0.0, 1.0);
