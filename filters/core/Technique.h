@@ -34,6 +34,7 @@ struct TechniqueInfo {
   int order = 100;            // place in lists: simple before complicated
   bool upperBound = false;    // never below the reference, in exact arithmetic and at its defaults
   bool prefilterable = true;  // false: visibility reads the region's raw texels
+  double amplification = 1.0;  // of rounding within visibility(), beyond that of its inputs
   std::string_view colour;    // "#rrggbb", the same in every plot, table and pane
 };
 
