@@ -1,8 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <QFontMetricsF>
-#include <QImage>
+#include <algorithm>
 
+#include "tests/widgets/Grab.h"
 #include "ui/widgets/ColourBar.h"
 #include "ui/widgets/ColourMap.h"
 #include "ui/widgets/Style.h"
@@ -47,10 +48,10 @@ TEST(ColourBar, DrawsItsMapFromLeftToRight) {
   ColourBar bar;
   bar.setScale(ColourMap::Grey, 0.0, 1.0, QString());
   bar.resize(200, 40);
-  const QImage shown = bar.grab().toImage();
-  EXPECT_LT(qGray(shown.pixel(4, 5)), 30);
-  EXPECT_NEAR(qGray(shown.pixel(100, 5)), 128, 6);
-  EXPECT_GT(qGray(shown.pixel(195, 5)), 225);
+  const Grab shown(bar);
+  EXPECT_LT(qGray(shown(4, 5)), 30);
+  EXPECT_NEAR(qGray(shown(100, 5)), 128, 6);
+  EXPECT_GT(qGray(shown(195, 5)), 225);
 }
 
 TEST(Style, FiguresAlign) {

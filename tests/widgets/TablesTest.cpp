@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "tests/widgets/ExampleProbe.h"
+#include "tests/widgets/Grab.h"
 #include "ui/widgets/ProbeTable.h"
 #include "ui/widgets/ProbeTableModel.h"
 #include "ui/widgets/RegionTable.h"
@@ -96,13 +97,13 @@ TEST_F(ProbeTableTest, TechniqueIsChosenByAPersonOnly) {
 }
 
 TEST_F(ProbeTableTest, BarLiesOnTheErrorsSideOfZero) {
-  const QImage shown = table.view()->viewport()->grab().toImage();
+  const Grab shown(*table.view()->viewport());
   const auto reds = [&](int row) {
     const QRect area =
         table.view()->visualRect(table.view()->model()->index(row, ProbeTableModel::BarColumn));
     std::pair<int, int> sides{0, 0};
     for (int x = area.left(); x <= area.right(); ++x) {
-      if (QColor(shown.pixel(x, area.center().y())) != style::error) continue;
+      if (QColor(shown(x, area.center().y())) != style::error) continue;
       ++(x < area.center().x() ? sides.first : sides.second);
     }
     return sides;

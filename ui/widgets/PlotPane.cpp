@@ -83,16 +83,6 @@ void PlotPane::fitAxisTitle() {
   widget_->setAxisTitle(QwtPlot::xBottom, title);
 }
 
-void PlotPane::resizeEvent(QResizeEvent* event) {
-  Card::resizeEvent(event);
-  fitAxisTitle();
-}
-
-void PlotPane::showEvent(QShowEvent* event) {
-  Card::showEvent(event);
-  fitAxisTitle();
-}
-
 void PlotPane::clear(const QString& hint) {
   plot_.reset();
   dragging_ = false;
@@ -151,6 +141,7 @@ void PlotPane::hover(const QPoint& pixel) {
 
 bool PlotPane::eventFilter(QObject* watched, QEvent* event) {
   if (watched != widget_->canvas() || !plot_) return Card::eventFilter(watched, event);
+  if (event->type() == QEvent::Resize) fitAxisTitle();
   if (event->type() == QEvent::MouseMove) {
     const QPoint pixel = static_cast<QMouseEvent*>(event)->pos();
     if (dragging_)
