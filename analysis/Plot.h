@@ -52,6 +52,7 @@ struct Plot {
   std::string title;
   std::string xLabel, yLabel;
   std::optional<PlotRange> xRange, yRange;  // fitted to the data where not set
+  bool wholeX = false;  // x counts something: ticks at whole numbers only
   std::vector<PlotSeries> series;
   std::vector<PlotMarker> markers;
   std::vector<PlotError> errors;

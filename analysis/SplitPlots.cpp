@@ -48,19 +48,17 @@ Plot costPlot(std::span<const double> cost) {
   Plot plot{.name = "cost",
             .title = "Cost of the splits",
             .xLabel = "iteration",
-            .yLabel = "mean squared distance (depth²)"};
+            .yLabel = "mean squared distance (depth²)",
+            .wholeX = true};
   PlotSeries series{"cost", std::string(splitColour), SeriesStyle::Line};
   for (std::size_t i = 0; i < cost.size(); ++i) {
     series.x.push_back(double(i));
     series.y.push_back(cost[i]);
   }
-  PlotSeries marks = series;
-  marks.name.clear();
-  marks.style = SeriesStyle::Points;
   const double highest = cost.empty() ? 0.0 : *std::max_element(cost.begin(), cost.end());
   plot.xRange = PlotRange{0.0, std::max(1.0, double(cost.size()) - 1.0)};
   plot.yRange = PlotRange{0.0, highest > 0.0 ? 1.08 * highest : 1.0};
-  plot.series = {std::move(series), std::move(marks)};
+  plot.series.push_back(std::move(series));
   return plot;
 }
 

@@ -47,11 +47,10 @@ TEST(SplitsPlot, IsSensibleWithoutSamplesAndWithOneDepth) {
 
 TEST(CostPlot, CountsIterationsFromZero) {
   const Plot plot = costPlot(std::vector<double>{0.5, 0.25, 0.25});
-  ASSERT_EQ(plot.series.size(), 2u);
-  for (const PlotSeries& series : plot.series) {
-    EXPECT_EQ(series.x, (std::vector<double>{0, 1, 2}));
-    EXPECT_EQ(series.y, (std::vector<double>{0.5, 0.25, 0.25}));
-  }
+  ASSERT_EQ(plot.series.size(), 1u);
+  EXPECT_EQ(plot.series[0].x, (std::vector<double>{0, 1, 2}));
+  EXPECT_EQ(plot.series[0].y, (std::vector<double>{0.5, 0.25, 0.25}));
+  EXPECT_TRUE(plot.wholeX);
   for (const auto& cost : {std::vector<double>{}, std::vector<double>{0.0}}) {
     const Plot flat = costPlot(cost);
     EXPECT_LT(flat.xRange->low, flat.xRange->high);

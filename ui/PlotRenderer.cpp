@@ -8,6 +8,7 @@
 #include <QPainter>
 #include <QPdfWriter>
 #include <QSvgGenerator>
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -99,7 +100,8 @@ void showPlot(QwtPlot& widget, const Plot& plot) {
   widget.detachItems(QwtPlotItem::Rtti_PlotItem, true);
   applyPlotStyle(widget);
   // A single series is named by the title.
-  const bool inLegend = plot.series.size() > 1;
+  const bool inLegend = std::count_if(plot.series.begin(), plot.series.end(),
+                                      [](const auto& one) { return !one.name.empty(); }) > 1;
   double z = 10.0;
   for (const PlotSeries& series : plot.series) attachSeries(widget, series, z += 0.1, inLegend);
   (new AnnotationItem(plot))->attach(&widget);

@@ -118,6 +118,22 @@ TEST(ShowPlot, FitsTheAxesWhereNoRangeIsGiven) {
   EXPECT_GE(widget.axisScaleDiv(QwtPlot::yLeft).upperBound(), 9.0);
 }
 
+TEST(ShowPlot, CountsInWholeNumbersWhereAsked) {
+  for (double last : {1.0, 3.0, 40.0, 731.0}) {
+    Plot plot{.name = "cost", .title = "Cost", .xRange = PlotRange{0.0, last}, .wholeX = true};
+    plot.series.push_back({"cost", "#3f6fb5", SeriesStyle::Line, {0.0, last}, {9.0, 5.0}});
+    for (QSize size : {QSize(320, 200), QSize(900, 600)}) {
+      QwtPlot widget;
+      widget.resize(size);
+      showPlot(widget, plot);
+      const auto ticks = widget.axisScaleDiv(QwtPlot::xBottom).ticks(QwtScaleDiv::MajorTick);
+      EXPECT_GE(ticks.size(), 2);
+      EXPECT_LE(ticks.size(), 12);
+      for (double tick : ticks) EXPECT_EQ(tick, std::round(tick)) << last;
+    }
+  }
+}
+
 TEST(ShowPlot, SurvivesAnEmptyPlot) {
   QwtPlot widget;
   widget.resize(320, 200);

@@ -127,10 +127,20 @@ void PlotFitter::fitTitles() {
   widget_.updateLayout();
 }
 
+// The step between x ticks where they are to be whole numbers: 1, 2, 5, 10 …; else 0, Qwt's choice.
+double PlotFitter::wholeStep() const {
+  if (!plot_.wholeX) return 0.0;
+  const double wanted = (plot_.xRange->high - plot_.xRange->low) /
+                        std::max(1, widget_.axisMaxMajor(QwtPlot::xBottom));
+  for (double power = 1.0;; power *= 10.0)
+    for (double step : {1.0, 2.0, 5.0})
+      if (step * power >= wanted) return step * power;
+}
+
 // Above the range lies a strip for the markers' labels, where no curve runs.
 void PlotFitter::fitScales() {
   if (plot_.xRange)
-    widget_.setAxisScale(QwtPlot::xBottom, plot_.xRange->low, plot_.xRange->high);
+    widget_.setAxisScale(QwtPlot::xBottom, plot_.xRange->low, plot_.xRange->high, wholeStep());
   else
     widget_.setAxisAutoScale(QwtPlot::xBottom);
   if (!plot_.yRange) {

@@ -29,6 +29,7 @@ class PlotFitter final : public QObject {
   void fitLegend();
   void fitTitles();
   void fitScales();
+  double wholeStep() const;
 
   QwtPlot& widget_;
   Plot plot_;
