@@ -15,7 +15,6 @@ std::string withSingleGaps(const std::string& text) {
 
 HelpLayout::HelpLayout() {
   column_width(38);
-  label("Subcommands", "Commands (each has its own --help)");
   label("SUBCOMMAND", "COMMAND");
 }
 

@@ -1,0 +1,50 @@
+#include "app/ChannelFile.h"
+
+#include "datasets/DepthFile.h"
+#include "datasets/SessionFile.h"
+
+namespace umbra {
+namespace {
+
+template <class T>
+void addAll(ChannelFile& file, const Technique& technique, const Image<T>& channels) {
+  const std::vector<Channel> layout = technique.channels();
+  for (std::size_t c = 0; c < layout.size(); ++c)
+    file.add(std::string(technique.info().id) + "." + layout[c].name, channelOf(channels, int(c)));
+  file.addParameters(technique);
+}
+
+}  // namespace
+
+ChannelFile::ChannelFile(const Session& session)
+    : attributes_{{"umbrascope.version", UMBRA_VERSION},
+                  {"umbrascope.session", toJson(session).dump()}} {}
+
+void ChannelFile::addDepth(const DepthMap& map) {
+  add("Z", channelOf(map, 0));
+}
+
+void ChannelFile::addTechnique(const Technique& technique, const Image<double>& channels) {
+  addAll(*this, technique, channels);
+}
+
+void ChannelFile::addTechnique(const Technique& technique, const Image<float>& channels) {
+  addAll(*this, technique, channels);
+}
+
+void ChannelFile::addParameters(const Technique& technique) {
+  const std::unique_ptr<Technique> copy = technique.clone();
+  for (const Parameter& parameter : copy->parameters())
+    attributes_[std::string(technique.info().id) + "." + std::string(parameter.name)] =
+        parameter.text();
+}
+
+void ChannelFile::add(const std::string& name, Image<float> channel) {
+  channels_[name] = std::move(channel);
+}
+
+void ChannelFile::write(const std::filesystem::path& file) const {
+  writeExr(file, channels_, attributes_);
+}
+
+}  // namespace umbra

@@ -1,0 +1,37 @@
+#include "app/CompareFiles.h"
+
+#include "app/Table.h"
+#include "filters/core/AtomicFile.h"
+#include "filters/core/Text.h"
+
+namespace umbra {
+
+void writeCompare(OutputFolder& folder, const std::vector<MetricsRow>& rows) {
+  const Json object = compareToJson(rows);
+  std::string csv;
+  for (const Json& row : object["techniques"]) {
+    std::string heading, line;
+    for (const auto& [name, value] : row.items()) {
+      const std::string comma = line.empty() ? "" : ",";
+      heading += comma + name;
+      line += comma + (value.is_string() ? value.get<std::string>() : value.dump());
+    }
+    if (csv.empty()) csv = heading + "\n";
+    csv += line + "\n";
+  }
+  writeTextAtomically(folder.file("compare.json"), toText(object));
+  writeTextAtomically(folder.file("compare.csv"), csv);
+}
+
+std::string compareText(const std::vector<MetricsRow>& rows) {
+  std::vector<TableRow> table{
+      {"TECHNIQUE", "RMSE", "MAE", "BLEEDING", "DARKENING", "MAX", "MIN", "UMBRA BLEEDING"}};
+  for (const auto& [id, m] : rows)
+    table.push_back({id, shortNumber(m.rmse), shortNumber(m.mae), shortNumber(m.bleeding),
+                     shortNumber(m.darkening), shortNumber(m.max), shortNumber(m.min),
+                     shortNumber(m.umbraBleeding)});
+  const std::size_t samples = rows.empty() ? 0 : rows.front().metrics.samples;
+  return tableText(table) + "\n" + std::to_string(samples) + " samples\n";
+}
+
+}  // namespace umbra

@@ -1,0 +1,18 @@
+// A comparison as files and as text.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/Output.h"
+#include "app/Reports.h"
+
+namespace umbra {
+
+// compare.json and compare.csv: one row per technique, the columns of the JSON.
+void writeCompare(OutputFolder& folder, const std::vector<MetricsRow>& rows);
+
+// For people.
+std::string compareText(const std::vector<MetricsRow>& rows);
+
+}  // namespace umbra

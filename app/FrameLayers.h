@@ -1,0 +1,30 @@
+// What is known of every pixel of a frame, as channels of an EXR file.
+#pragma once
+
+#include <filesystem>
+
+#include "app/ChannelFile.h"
+#include "app/display/Display.h"
+
+namespace umbra {
+
+// Of the first frame added: R, G, B, u, v, receiver, reference. Of each: TECHNIQUE.R, .G, .B,
+// .visibility and .error, which is 0 where a pixel receives no shadow. Colours are linear, as EXR
+// viewers expect them.
+class FrameLayers {
+ public:
+  explicit FrameLayers(const Session& session) : file_(session) {}
+
+  // The frame as `technique` last rendered it.
+  void add(const Technique& technique, HeadlessFrame& frame);
+  void write(const std::filesystem::path& file) const { file_.write(file); }
+
+ private:
+  ChannelFile file_;
+  bool first_ = true;
+};
+
+// visibility − reference where a pixel receives shadow, else 0. `surfaces` as of HeadlessFrame.
+Image<float> errorOf(const Image<float>& surfaces, const Image<float>& reference);
+
+}  // namespace umbra

@@ -1,0 +1,125 @@
+#include <memory>
+#include <optional>
+
+#include "analysis/CompareMap.h"
+#include "app/Cancellation.h"
+#include "app/CompareFiles.h"
+#include "app/Reports.h"
+#include "app/SceneCompare.h"
+#include "app/SceneSources.h"
+#include "app/TechniqueSet.h"
+#include "app/commands/Commands.h"
+#include "app/display/DisplayLibrary.h"
+#include "app/options/OptionValues.h"
+#include "app/options/SessionOptions.h"
+#include "filters/core/Error.h"
+
+namespace umbra {
+namespace {
+
+struct CompareCommand {
+  explicit CompareCommand(CLI::App& command);
+
+  void run() const;
+  void compareMap(Session session) const;
+  void compareScene(const Session& session) const;
+  std::vector<std::shared_ptr<Technique>> techniques(const Session& session) const;
+
+  SessionOptions options;
+  std::optional<std::string> receiver, folder;
+  bool json = false;
+  TechniqueCatalogue catalogue = allTechniques();
+};
+
+CompareCommand::CompareCommand(CLI::App& command) {
+  const std::string group = "Compare";
+  command
+      .add_option("--receiver", receiver, "Of a depth map: a receiver plane at this depth, 0 to 1")
+      ->type_name("Z")
+      ->group(group);
+  command
+      .add_option("-o,--output", folder,
+                  "Write compare.json, compare.csv and, of a scene, each technique's error picture")
+      ->type_name("DIR")
+      ->group(group);
+  command.add_flag("--json", json, "Print one JSON object")->group(group);
+  command.footer(
+      "The error is visibility minus exact percentage-closer filtering over the same region; a\n"
+      "scene counts every pixel that faces the light inside its map, a depth map every texel.");
+  options.addTo(command);
+}
+
+std::vector<std::shared_ptr<Technique>> CompareCommand::techniques(const Session& session) const {
+  return makeTechniques(session, catalogue, options.techniques(catalogue, idsOf(catalogue)));
+}
+
+void CompareCommand::run() const {
+  if (json && folder)
+    throw Error(ErrorKind::BadCommandLine, "--json: excludes -o, give one of them");
+  if (folder) checkWritable(std::filesystem::path(*folder) / "compare.json");
+  const Session session = options.session(catalogue);
+  if (session.source.kind == SourceKind::DepthFile)
+    compareMap(session);
+  else
+    compareScene(session);
+}
+
+void CompareCommand::compareMap(Session session) const {
+  if (receiver) session.receiver = numberFrom(*receiver, "--receiver", {0.0, 1.0});
+  if (!session.receiver)
+    throw Error(ErrorKind::BadCommandLine, "--receiver: is missing, give --receiver Z");
+  if (!options.namesFormat() && !options.namesSession())
+    session.frame.map.format = StorageFormat::Double;
+  const auto chosen = techniques(session);
+  const DepthMap map = loadDepthMap(session.source);
+  std::vector<MetricsRow> rows;
+  for (const auto& technique : chosen) {
+    throwIfCancelled();
+    technique->adapt(map);
+    const std::shared_ptr<const Technique> one[] = {technique};
+    rows.push_back(
+        {std::string(technique->info().id),
+         compareOnMap(map, one, session.frame.kernel, session.frame.map.format, *session.receiver)
+             .front()});
+  }
+  throwIfCancelled();
+  if (json) return printJson(compareToJson(rows));
+  if (!folder) return print(compareText(rows));
+  OutputFolder files(*folder);
+  writeCompare(files, rows);
+  files.finish();
+}
+
+void CompareCommand::compareScene(const Session& session) const {
+  if (receiver) throw Error(ErrorKind::BadCommandLine, "--receiver: only goes with --depth");
+  checkGpuFormat(session);
+  const auto chosen = techniques(session);
+  const auto scene = std::make_shared<const Scene>(loadScene(session.source));
+  const std::unique_ptr<Display> display = loadDisplay();
+  const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
+  std::optional<OutputFolder> files;
+  if (folder) files.emplace(*folder);
+  std::vector<MetricsRow> rows;
+  for (const auto& technique : chosen) {
+    throwIfCancelled();
+    const std::string id(technique->info().id);
+    frame->render(*technique, ViewMode::Error);
+    rows.push_back({id, metricsOf(*frame)});
+    if (files) display->writePictures({{id, frame->colour()}}, files->file("error-" + id + ".png"));
+  }
+  throwIfCancelled();
+  if (json) return printJson(compareToJson(rows));
+  if (!files) return print(compareText(rows));
+  writeCompare(*files, rows);
+  files->finish();
+}
+
+}  // namespace
+
+Command addCompare(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("compare", "Measure techniques against the reference");
+  const auto compare = std::make_shared<CompareCommand>(*command);
+  return {command, [compare] { compare->run(); }};
+}
+
+}  // namespace umbra

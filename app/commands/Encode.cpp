@@ -1,0 +1,119 @@
+#include <memory>
+#include <optional>
+
+#include "app/Cancellation.h"
+#include "app/ChannelFile.h"
+#include "app/Output.h"
+#include "app/SceneSources.h"
+#include "app/TechniqueSet.h"
+#include "app/commands/Commands.h"
+#include "app/display/DisplayLibrary.h"
+#include "app/options/SessionOptions.h"
+#include "filters/core/Error.h"
+#include "filters/core/Prefilter.h"
+
+namespace umbra {
+namespace {
+
+struct EncodeCommand {
+  explicit EncodeCommand(CLI::App& command);
+
+  void run() const;
+  void encodeDepthMap(const Session& session, ChannelFile& file) const;
+  void encodeScene(const Session& session, ChannelFile& file) const;
+
+  SessionOptions options;
+  std::optional<std::string> output, stage;
+  TechniqueCatalogue catalogue = allTechniques();
+  BakeStage wanted() const;
+  std::vector<std::shared_ptr<Technique>> techniques(const Session& session) const;
+};
+
+EncodeCommand::EncodeCommand(CLI::App& command) {
+  command.add_option("-o,--output", output, "File to write")
+      ->type_name("FILE.exr")
+      ->group("Encode");
+  command.add_option("--stage", stage, "encoded, or prefiltered (default): after the kernel")
+      ->type_name("NAME")
+      ->group("Encode");
+  command.footer(
+      "Writes one part with the channels TECHNIQUE.CHANNEL, and Z: the depth itself, in [0,1].\n"
+      "Without --technique it is the session's; hard and pcf store nothing but Z.");
+  options.addTo(command);
+}
+
+BakeStage EncodeCommand::wanted() const {
+  if (!stage || *stage == "prefiltered") return BakeStage::Prefiltered;
+  if (*stage == "encoded") return BakeStage::Encoded;
+  throw Error(ErrorKind::BadCommandLine,
+              "--stage: '" + *stage + "' is not right, it takes encoded or prefiltered");
+}
+
+std::vector<std::shared_ptr<Technique>> EncodeCommand::techniques(const Session& session) const {
+  std::vector<std::string> ids;
+  for (const std::string& id : options.techniques(catalogue, {session.technique}))
+    if (catalogue.make(id)->info().prefilterable) ids.push_back(id);
+  return makeTechniques(session, catalogue, ids);
+}
+
+void EncodeCommand::run() const {
+  if (!output) throw Error(ErrorKind::BadCommandLine, "--output: is missing, give -o FILE.exr");
+  if (std::filesystem::path(*output).extension() != ".exr")
+    throw Error(ErrorKind::BadCommandLine,
+                "--output: '" + *output + "' is not right, it takes FILE.exr");
+  checkWritable(*output);
+  wanted();
+  const Session session = options.session(catalogue);
+  if (session.frame.map.format == StorageFormat::Double)
+    throw Error(ErrorKind::BadCommandLine, "--format: double does not fit into EXR, take float");
+  ChannelFile file(session);
+  if (session.source.kind == SourceKind::DepthFile)
+    encodeDepthMap(session, file);
+  else
+    encodeScene(session, file);
+  throwIfCancelled();
+  file.write(*output);
+  announce(*output);
+}
+
+void EncodeCommand::encodeDepthMap(const Session& session, ChannelFile& file) const {
+  const auto chosen = techniques(session);
+  const DepthMap map = loadDepthMap(session.source);
+  const StorageFormat format = session.frame.map.format;
+  file.addDepth(map);
+  for (const auto& technique : chosen) {
+    throwIfCancelled();
+    technique->adapt(map);
+    file.addTechnique(*technique,
+                      wanted() == BakeStage::Encoded
+                          ? encodeMap(map, *technique, format)
+                          : prefilteredMap(map, *technique, session.frame.kernel, format));
+  }
+}
+
+void EncodeCommand::encodeScene(const Session& session, ChannelFile& file) const {
+  checkGpuFormat(session);
+  const auto chosen = techniques(session);
+  const auto scene = std::make_shared<const Scene>(loadScene(session.source));
+  const std::unique_ptr<Display> display = loadDisplay();
+  const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
+  if (chosen.empty()) frame->render(*catalogue.make("hard"), ViewMode::Shaded);
+  for (const auto& technique : chosen) {
+    throwIfCancelled();
+    frame->render(*technique, ViewMode::Shaded);
+    technique->adapt(frame->depthMap());
+    file.addTechnique(*technique, frame->channels(wanted()));
+  }
+  file.addDepth(frame->depthMap());
+}
+
+}  // namespace
+
+Command addEncode(CLI::App& program) {
+  CLI::App* command =
+      program.add_subcommand("encode", "Write what techniques store, as channels of an EXR file");
+  const auto encode = std::make_shared<EncodeCommand>(*command);
+  return {command, [encode] { encode->run(); }};
+}
+
+}  // namespace umbra

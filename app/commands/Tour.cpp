@@ -1,0 +1,87 @@
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/Cancellation.h"
+#include "app/ProbeFiles.h"
+#include "app/SceneProbe.h"
+#include "app/SceneSources.h"
+#include "app/TechniqueSet.h"
+#include "app/commands/Commands.h"
+#include "app/display/DisplayLibrary.h"
+#include "app/options/SessionOptions.h"
+
+namespace umbra {
+namespace {
+
+constexpr int probeBins = 60;
+constexpr int probeSamples = 401;
+
+struct TourCommand {
+  explicit TourCommand(CLI::App& command);
+  void run() const;
+
+  SessionOptions options;
+  std::string folder = "umbrascope-out";
+  TechniqueCatalogue catalogue = allTechniques();
+};
+
+TourCommand::TourCommand(CLI::App& command) {
+  command.add_option("-o,--output", folder, "Folder to write into")
+      ->type_name("DIR")
+      ->capture_default_str()
+      ->group("Tour");
+  command.footer(
+      "Draws the techniques side by side (hard, pcf, vsm and power-cdf where none are\n"
+      "named), probes the pixel where vsm, or else the first, bleeds most light, and\n"
+      "writes picture, plots and figures.");
+  options.addTo(command);
+}
+
+// VSM is the technique that bleeds; where it is not asked for, the first that is.
+std::shared_ptr<Technique> suspectOf(const std::vector<std::shared_ptr<Technique>>& chosen) {
+  for (const auto& technique : chosen)
+    if (technique->info().id == "vsm") return technique;
+  return chosen.front();
+}
+
+void TourCommand::run() const {
+  checkWritable(std::filesystem::path(folder) / "picture.png");
+  const Session session = options.session(catalogue);
+  checkGpuFormat(session);
+  const auto chosen = makeTechniques(
+      session, catalogue, options.techniques(catalogue, {"hard", "pcf", "vsm", "power-cdf"}));
+  const std::shared_ptr<Technique> suspect = suspectOf(chosen);
+  const auto scene = std::make_shared<const Scene>(loadScene(session.source));
+  const std::unique_ptr<Display> display = loadDisplay();
+  const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
+
+  OutputFolder files(folder);
+  std::vector<LabelledPicture> pictures;
+  for (const auto& technique : chosen) {
+    throwIfCancelled();
+    frame->render(*technique, session.frame.view);
+    pictures.push_back({std::string(technique->info().title), frame->colour()});
+  }
+  display->writePictures(pictures, files.file("picture.png"));
+
+  const SceneProbe probe = probeScene(*frame, session, chosen, worstBleeding(*frame, *suspect));
+  const Json json = sceneProbeToJson(probe, frame->depthMap(), shortNameOf(session.source),
+                                     probeBins, probeSamples);
+  writeProbe(files, *display, probe.probe, json, suspect->info().id, probeBins);
+  throwIfCancelled();
+  files.finish();
+  print(probeText(probe.probe));
+}
+
+}  // namespace
+
+Command addTour(CLI::App& program) {
+  CLI::App* command = program.add_subcommand(
+      "tour", "Draw a scene with several techniques and probe where light bleeds most");
+  const auto tour = std::make_shared<TourCommand>(*command);
+  return {command, [tour] { tour->run(); }};
+}
+
+}  // namespace umbra

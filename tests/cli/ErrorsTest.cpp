@@ -1,0 +1,193 @@
+// Everything that a person can get wrong: the exit status, and one line that says what is right.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+
+#include "tests/cli/Process.h"
+#include "tests/cli/SmallMap.h"
+
+namespace umbra::cli {
+namespace {
+
+class Errors : public testing::Test {
+ protected:
+  Errors() { writeMap(map, smallMap()); }
+
+  // Runs and expects failure with `status`, nothing on standard output, and one line on standard
+  // error that holds `text`.
+  void expectError(int status, const std::string& text, const Arguments& arguments,
+                   const Setting& setting = {}) const {
+    const Outcome outcome = run(arguments, setting);
+    std::string line;
+    for (const std::string& argument : arguments) line += " " + argument;
+    EXPECT_EQ(outcome.status, status) << line << "\n" << outcome.err;
+    EXPECT_EQ(outcome.out, "") << line;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << line << "\n"
+                                                                           << outcome.err;
+    EXPECT_NE(outcome.err.find(text), std::string::npos) << line << "\n" << outcome.err;
+  }
+
+  // A sound probe with `more` behind it.
+  Arguments probe(const Arguments& more) const {
+    Arguments arguments{"probe", "--json", "--depth", map, "--texel", "8,9", "--receiver", "0.7"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+
+  TemporaryFolder folder;
+  const std::string map = folder.file("m.exr");
+};
+
+TEST_F(Errors, WordsThatAreNoCommandOrOption) {
+  expectError(2, "did you mean 'probe'?", {"prob"});
+  expectError(2, "did you mean 'three-planes'?", {"three-plans"});
+  expectError(2, "is no command, scene or file", {"reproduce", "-o", folder.file("out")});
+  expectError(2, "is no command, scene or file", {"bench"});
+  expectError(2, "did you mean '--technique'?", probe({"--techniqe", "vsm"}));
+  expectError(2, "is not expected here", probe({"stray"}));
+  expectError(2, "go after the command", {"--radius", "2", "techniques"});
+}
+
+TEST_F(Errors, ValuesOfOptions) {
+  expectError(2, "did you mean 'vsm'?", probe({"--technique", "vsn"}));
+  expectError(2, "--technique", probe({"--technique", ","}));
+  expectError(2, "did you mean 'min-variance'?", probe({"--set", "vsm.min-varianc=1e-6"}));
+  expectError(2, "from 0 to 0.99", probe({"--set", "vsm.bleed-reduction=1.5"}));
+  expectError(2, "a number", probe({"--set", "vsm.bleed-reduction=much"}));
+  expectError(2, "TECHNIQUE.PARAMETER=VALUE", probe({"--set", "vsm=1"}));
+  expectError(2, "NAME=VALUE", probe({"--set", "vsm.min-variance"}));
+  expectError(2, "none, box, gaussian", probe({"--kernel", "disc"}));
+  expectError(2, "--radius", probe({"--radius", "-1"}));
+  expectError(2, "from 0 to 64", probe({"--radius", "65"}));
+  expectError(2, "--sigma", probe({"--sigma", "nan"}));
+  expectError(2, "double", probe({"--format", "quarter"}));
+  expectError(2, "--bins", probe({"--bins", "0"}));
+  expectError(2, "--samples", probe({"--samples", "1"}));
+  expectError(2, "--depth-range", probe({"--depth-range", "5,5"}));
+  expectError(2, "--map-size", probe({"--map-size", "7"}));
+  expectError(2, "--size", probe({"--size", "640*480"}));
+  expectError(2, "shaded, visibility", probe({"--view", "pretty"}));
+}
+
+TEST_F(Errors, FeaturesThatThisVersionHasNot) {
+  expectError(2, "only 1 is", probe({"--msaa", "4"}));
+  expectError(2, "only 1 is", probe({"--cascades", "2"}));
+  expectError(2, "only 1 is", probe({"--anisotropy", "16"}));
+  expectError(2, "point, bilinear", probe({"--filter", "sat"}));
+}
+
+TEST_F(Errors, WhatAProbeNeeds) {
+  expectError(2, "--receiver", {"probe", "--depth", map, "--texel", "8,9"});
+  expectError(2, "--texel", {"probe", "--depth", map, "--receiver", "0.5"});
+  expectError(2, "from 0 to 1", {"probe", "--depth", map, "--texel", "8,9", "--receiver", "1.01"});
+  expectError(2, "from 0 to 1", {"probe", "--depth", map, "--texel", "8,9", "--receiver", "nan"});
+  expectError(2, "24x17", {"probe", "--depth", map, "--texel", "24,0", "--receiver", "0.5"});
+  expectError(2, "--texel", {"probe", "--depth", map, "--texel", "8;9", "--receiver", "0.5"});
+  expectError(2, "--texel", {"probe", "--depth", map, "--pixel", "8,9", "--receiver", "0.5"});
+  expectError(2, "--pixel", {"probe", "--scene", "three-planes", "--texel", "8,9"});
+  expectError(2, "excludes --scene", probe({"--scene", "three-planes"}));
+  expectError(2, "--json", probe({"-o", folder.file("out")}));
+}
+
+TEST_F(Errors, DepthMapsThatAreNone) {
+  const auto probeOf = [](const std::string& file) {
+    return Arguments{"probe", "--depth", file, "--texel", "2,3", "--receiver", "0.5"};
+  };
+  expectError(3, folder.file("none.exr"), probeOf(folder.file("none.exr")));
+  std::ofstream(folder.file("text.exr")) << "not an image";
+  expectError(3, "text.exr", probeOf(folder.file("text.exr")));
+  const std::string whole = contentOf(map);
+  std::ofstream(folder.file("cut.exr"), std::ios::binary) << whole.substr(0, whole.size() / 2);
+  expectError(3, "cut.exr", probeOf(folder.file("cut.exr")));
+  expectError(3, "Z", probeOf(map + ":depth"));
+
+  writeExr(folder.file("two.exr"), {{"near", smallMap()}, {"far", smallMap()}}, {});
+  expectError(3, "far", probeOf(folder.file("two.exr")));
+}
+
+TEST_F(Errors, TexelsThatAreNoDepthAreNamed) {
+  const auto expectBadTexel = [&](float value) {
+    Image<float> bad = smallMap();
+    bad(5, 11) = value;
+    writeMap(folder.file("bad.exr"), bad);
+    expectError(
+        3, "5, 11",
+        {"probe", "--depth", folder.file("bad.exr"), "--texel", "2,3", "--receiver", "0.5"});
+  };
+  expectBadTexel(std::numeric_limits<float>::quiet_NaN());
+  expectBadTexel(std::numeric_limits<float>::infinity());
+  expectBadTexel(1.25f);
+  expectBadTexel(-0.001f);
+}
+
+TEST_F(Errors, ScenesAndSessionsThatAreNone) {
+  const std::string out = folder.file("p.png");
+  expectError(2, "did you mean 'tree-bench'?", {"render", "--scene", "tree-bensh", "-o", out});
+  expectError(3, "none.obj", {"render", "--scene", folder.file("none.obj"), "-o", out});
+  expectError(2, "no scene to draw", {"render", "--depth", map, "-o", out});
+  expectError(3, "none.json", {"render", "--session", folder.file("none.json"), "-o", out});
+  std::ofstream(folder.file("broken.json")) << "{\"technique\": ";
+  expectError(3, "broken.json", {"render", "--session", folder.file("broken.json"), "-o", out});
+  expectError(2, "--light", {"render", "--scene", "spheres", "--light", "sun:1,2,3", "-o", out});
+  expectError(2, "--camera", {"render", "--scene", "spheres", "--camera", "1,2", "-o", out});
+  expectError(2, "half or float",
+              {"render", "--scene", "spheres", "--format", "double", "-o", out});
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST_F(Errors, OutputsThatCannotBeWritten) {
+  // A file where a folder ought to be: nobody can write there, not even root.
+  const std::string below = map + "/out";
+  expectError(4, "m.exr",
+              {"probe", "--depth", map, "--texel", "8,9", "--receiver", "0.7", "-o", below});
+  expectError(4, "m.exr", {"encode", "--depth", map, "-o", below + "/c.exr"});
+  expectError(4, "m.exr", {"render", "--scene", "spheres", "-o", below + "/p.png"});
+  expectError(4, "standard output", probe({}), {.output = "/dev/full"});
+  std::filesystem::create_directory(folder.file("d.exr"));
+  expectError(4, "d.exr", {"encode", "--depth", map, "-o", folder.file("d.exr")});
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"d.exr", "m.exr"}));
+}
+
+TEST_F(Errors, AFolderWithoutPermissionIsNamed) {
+  if (geteuid() == 0) {
+    // Root may write anywhere but into the kernel's own files.
+    expectError(4, "/proc", {"encode", "--depth", map, "-o", "/proc/umbrascope/c.exr"});
+  } else {
+    std::filesystem::create_directory(folder.file("locked"));
+    chmod(folder.file("locked").c_str(), 0500);
+    expectError(4, "locked", {"encode", "--depth", map, "-o", folder.file("locked/c.exr")});
+  }
+}
+
+TEST_F(Errors, OutputsThatAreMissingOrOfNoKnownKind) {
+  expectError(2, "--output", {"encode", "--depth", map});
+  expectError(2, "--output", {"render", "--scene", "spheres"});
+  expectError(2, ".png or FILE.exr", {"render", "--scene", "spheres", "-o", folder.file("p.bmp")});
+  expectError(2, "double",
+              {"encode", "--depth", map, "--format", "double", "-o", folder.file("c.exr")});
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"m.exr"});
+}
+
+TEST_F(Errors, AWindowWithoutADisplay) {
+  expectError(5, "umbrascope render", {});
+  expectError(5, "umbrascope render", {"three-planes"});
+  expectError(5, "umbrascope render", {map});
+  expectError(3, "none.exr", {folder.file("none.exr")});
+}
+
+TEST_F(Errors, AnInterruptLeavesNothingBehind) {
+  writeMap(folder.file("large.exr"), smallMap(512, 512));
+  const Outcome outcome =
+      run({"encode", "--depth", folder.file("large.exr"), "--technique", "all", "--kernel",
+           "gaussian", "--radius", "64", "-o", folder.file("c.exr")},
+          {.interrupt = true});
+  EXPECT_EQ(outcome.status, 130) << outcome.err;
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"large.exr", "m.exr"}));
+}
+
+}  // namespace
+}  // namespace umbra::cli
