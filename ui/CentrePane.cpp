@@ -38,7 +38,7 @@ CentrePane::CentrePane(SessionController& controller, SceneView& view, Prober& p
       receiverText_(new QLabel) {
   setObjectName("centre");
   auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 9, 0, 0);  // the grip of the docks beside it
+  layout->setContentsMargins(5, 9, 5, 5);  // the grip of the docks beside it
   layout->setSpacing(6);
   layout->addWidget(banner_);
 

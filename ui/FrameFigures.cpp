@@ -39,10 +39,11 @@ QString mapText(const FrameSettings& settings, const Technique& technique) {
   // A 32-bit depth; channels encoded, and once more where they are prefiltered.
   const int copies = technique.info().prefilterable ? 2 : 1;
   const double bytes = texels * (4.0 + double(copies * channels * bytesOf(settings.map.format)));
-  return QObject::tr("map %1² · %2 · %n channel(s) · %3 MiB", nullptr, channels)
-      .replace("channel(s)", channels == 1 ? "channel" : "channels")
-      .arg(settings.map.size)
-      .arg(style::text(nameOf(settings.map.format)), QString::number(bytes / 1048576.0, 'f', 0));
+  // Joined and not by arg(): to Qt, the ² would be a digit of the place marker before it.
+  return QObject::tr("map ") + QString::number(settings.map.size) + QStringLiteral("² · ") +
+         style::text(nameOf(settings.map.format)) + QStringLiteral(" · ") +
+         (channels == 1 ? QObject::tr("1 channel") : QObject::tr("%1 channels").arg(channels)) +
+         QStringLiteral(" · ") + QString::number(bytes / 1048576.0, 'f', 0) + " MiB";
 }
 
 }  // namespace umbra

@@ -14,7 +14,6 @@
 #include "ui/MessageBanner.h"
 #include "ui/Prober.h"
 #include "ui/SceneView.h"
-#include "ui/widgets/FrameSettingsForm.h"
 #include "ui/widgets/Style.h"
 
 namespace umbra {
@@ -113,13 +112,11 @@ void MainWindow::showFrameFigures() {
   if (const DepthMap* depth = controller_.document().content.depth.get()) {
     frameText_->clear();
     mapText_->setText(tr("%1 × %2 texels").arg(depth->width()).arg(depth->height()));
-    controls_->frame().setGpuText({});
     return;
   }
   const auto times = view_->lastFrame() ? view_->lastFrame()->passTimes() : std::vector<PassTime>{};
   frameText_->setText(passTimesText(times));
   mapText_->setText(mapText(session.frame, controller_.technique()));
-  controls_->frame().setGpuText(passTimesText(times));
 }
 
 void MainWindow::showError(const QString& text) {

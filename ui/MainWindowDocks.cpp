@@ -2,6 +2,7 @@
 #include <QDockWidget>
 #include <QHBoxLayout>
 #include <QTabWidget>
+#include <QVBoxLayout>
 
 #include "ui/ControlPane.h"
 #include "ui/DockGrip.h"
@@ -51,7 +52,11 @@ QDockWidget* MainWindow::addDock(const QString& title, const QString& name, QWid
   auto* dock = new QDockWidget(title, this);
   dock->setObjectName(name);
   dock->setTitleBarWidget(new DockGrip);
-  dock->setWidget(content);
+  auto* room = new QWidget;  // air on every side: a window's docks reach to its edge
+  auto* layout = new QVBoxLayout(room);
+  layout->setContentsMargins(5, 0, 5, 5);
+  layout->addWidget(content);
+  dock->setWidget(room);
   addDockWidget(area, dock);
   docks_.push_back(dock);
   return dock;
@@ -81,7 +86,7 @@ void MainWindow::resetLayout() {
 
   const int side = width() < 1500 ? 250 : 290, right = width() * 35 / 100;
   resizeDocks({controls, map}, {side, right}, Qt::Horizontal);
-  resizeDocks({table}, {tall ? 250 : 210}, Qt::Vertical);
+  resizeDocks({table}, {tall ? 335 : 215}, Qt::Vertical);
   const int rest = height() - 110;
   if (tall)
     resizeDocks({map, curves, histogram}, {rest * 29 / 100, rest * 41 / 100, rest * 30 / 100},

@@ -44,7 +44,7 @@ QString windowSheet() {
     QToolBar QToolButton[popupMode="2"] { padding-right: 20px; }
     QToolBar QToolButton::menu-indicator { subcontrol-position: right center; right: 6px; }
     QToolBar QLabel { color: %4; padding: 0 2px 0 8px; }
-    QMainWindow::separator { background: transparent; width: 8px; height: 8px; }
+    QMainWindow::separator { background: transparent; width: 3px; height: 3px; }
     QMainWindow::separator:hover { background: %1; }
     QStatusBar { background: white; border-top: 1px solid %1; color: %4; }
     QStatusBar QLabel { color: %4; padding: 0 6px; }

@@ -1,50 +1,79 @@
 #include "ui/WorstPixel.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace umbra {
 namespace {
 
-constexpr int reach = 4;          // pixels on either side that are averaged
+constexpr int reach = 6;  // pixels on either side of a spot's middle
+constexpr int side = 2 * reach + 1;
 constexpr double visible = 0.05;  // mean error of a spot that anybody sees
+constexpr double umbra = 0.02;    // mean reference of a spot that is fully in shadow
+constexpr double smooth = 5e-4;   // second difference of z_r over a spot on one surface
 
-// Errors of the surfaces that the light reaches; a spot across a silhouette counts its outside as
-// none.
-Image<double> errorsOf(const Image<float>& surfaces, const Image<float>& reference) {
-  Image<double> errors(surfaces.width(), surfaces.height());
-  for (int y = 0; y < surfaces.height(); ++y)
-    for (int x = 0; x < surfaces.width(); ++x) {
-      const float u = surfaces(x, y, 0), v = surfaces(x, y, 1), receiver = surfaces(x, y, 2);
-      const bool shaded = u >= 0.0F && u <= 1.0F && v >= 0.0F && v <= 1.0F && receiver > 0.0F;
-      if (shaded) errors(x, y) = double(surfaces(x, y, 3)) - double(reference(x, y));
-    }
-  return errors;
+// Sums from the top-left corner, so that the mean over any spot costs four look-ups.
+class SpotMeans {
+ public:
+  template <class Value>
+  SpotMeans(int width, int height, Value value) : sums_(width + 1, height + 1) {
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x)
+        sums_(x + 1, y + 1) = value(x, y) + sums_(x, y + 1) + sums_(x + 1, y) - sums_(x, y);
+  }
+  double about(int x, int y) const {
+    const int left = x - reach, top = y - reach;
+    return (sums_(left + side, top + side) - sums_(left, top + side) - sums_(left + side, top) +
+            sums_(left, top)) /
+           (side * side);
+  }
+
+ private:
+  Image<double> sums_;
+};
+
+// How far z_r is from linear between a pixel's neighbours, along either axis: near 0 inside a flat
+// or gently curved surface, large at edges; 1 where nothing is lit or shadowed.
+double bend(const Image<float>& surfaces, int x, int y) {
+  const auto at = [&](int px, int py) {
+    return surfaces(std::clamp(px, 0, surfaces.width() - 1),
+                    std::clamp(py, 0, surfaces.height() - 1), 2);
+  };
+  const auto inMap = [&](int channel) {
+    return surfaces(x, y, channel) >= 0.0F && surfaces(x, y, channel) <= 1.0F;
+  };
+  const float z = at(x, y);
+  if (!inMap(0) || !inMap(1) || z <= 0.0F) return 1.0;  // negative: turned away from the light
+  const float across = at(x - 1, y) + at(x + 1, y) - 2.0F * z;
+  const float along = at(x, y - 1) + at(x, y + 1) - 2.0F * z;
+  return std::min(1.0, double(std::max(std::abs(across), std::abs(along))));
 }
 
 }  // namespace
 
 std::optional<Pixel> worstBleeding(const Image<float>& surfaces, const Image<float>& reference) {
-  const Image<double> errors = errorsOf(surfaces, reference);
-  // Sums from the top-left corner, so that every spot costs four look-ups.
-  Image<double> sums(errors.width() + 1, errors.height() + 1);
-  for (int y = 0; y < errors.height(); ++y)
-    for (int x = 0; x < errors.width(); ++x)
-      sums(x + 1, y + 1) = errors(x, y) + sums(x, y + 1) + sums(x + 1, y) - sums(x, y);
-  std::optional<Pixel> worst;
-  double most = visible;
-  const int side = 2 * reach + 1;
-  for (int y = reach; y < errors.height() - reach; ++y)
-    for (int x = reach; x < errors.width() - reach; ++x) {
-      const int left = x - reach, top = y - reach;
-      const double mean = (sums(left + side, top + side) - sums(left, top + side) -
-                           sums(left + side, top) + sums(left, top)) /
-                          (side * side);
-      if (mean > most && errors(x, y) > visible) {
-        most = mean;
-        worst = Pixel{x, y};
+  const int width = surfaces.width(), height = surfaces.height();
+  const SpotMeans errors(width, height, [&](int x, int y) {
+    return double(surfaces(x, y, 3)) - double(reference(x, y));
+  });
+  const SpotMeans truths(width, height, [&](int x, int y) { return double(reference(x, y)); });
+  const SpotMeans bends(width, height, [&](int x, int y) { return bend(surfaces, x, y); });
+  std::optional<Pixel> inUmbra, anywhere;
+  double mostInUmbra = visible, most = visible;
+  for (int y = reach; y < height - reach; ++y)
+    for (int x = reach; x < width - reach; ++x) {
+      const double error = errors.about(x, y);
+      if (error <= std::min(most, mostInUmbra) || bends.about(x, y) > smooth) continue;
+      if (error > most) {
+        most = error;
+        anywhere = Pixel{x, y};
+      }
+      if (error > mostInUmbra && truths.about(x, y) < umbra) {
+        mostInUmbra = error;
+        inUmbra = Pixel{x, y};
       }
     }
-  return worst;
+  return inUmbra ? inUmbra : anywhere;
 }
 
 }  // namespace umbra

@@ -8,9 +8,10 @@
 
 namespace umbra {
 
-// `surfaces` and `reference` as ShadowRenderer gives them. The pixel about which the error of
-// visibility, averaged over a few pixels, is largest: a spot that a person can see and hit, not a
-// stray pixel. None where no spot bleeds visibly.
+// `surfaces` and `reference` as ShadowRenderer gives them. The middle of the spot with the largest
+// mean error of visibility among those that are fully in shadow and on one smooth surface: light
+// that bleeds where a person can see it and point at it, not a stray pixel of a leaf. Where there
+// is no such spot, of those that are smooth only. None where no spot bleeds visibly.
 std::optional<Pixel> worstBleeding(const Image<float>& surfaces, const Image<float>& reference);
 
 }  // namespace umbra
