@@ -1,76 +1,212 @@
-#include <vtkImageData.h>
+// What the frame redoes, hands out and leaves alone.
+#include <vtkActor.h>
+#include <vtkCellArray.h>
 #include <vtkNew.h>
-#include <vtkPNGWriter.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
 
-#include <cstdlib>
-
-#include "filters/core/TechniqueCatalogue.h"
-#include "filters/gpu/ShadowRenderer.h"
-#include "tests/gpu/GpuTest.h"
-#include "tests/gpu/TestScenes.h"
+#include "filters/core/Error.h"
+#include "tests/gpu/FrameFixture.h"
 
 namespace umbra {
 namespace {
 
-// With UMBRA_TEST_PICTURES set to a folder, the pictures can be looked at.
-void keep(const Image<std::uint8_t>& image, const std::string& name) {
-  const char* folder = std::getenv("UMBRA_TEST_PICTURES");
-  if (!folder) return;
-  vtkNew<vtkImageData> data;
-  data->SetDimensions(image.width(), image.height(), 1);
-  data->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x)
-      for (int c = 0; c < 3; ++c)
-        data->SetScalarComponentFromDouble(x, image.height() - 1 - y, 0, c, image(x, y, c));
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetFileName((std::string(folder) + "/" + name + ".png").c_str());
-  writer->SetInputData(data);
-  writer->Write();
+using Frame = test::FrameFixture;
+
+TEST_F(Frame, RedoesOnlyWhatChanged) {
+  const auto scene = test::slabAndBall();
+  show(scene, "vsm");
+  EXPECT_EQ(passes(), "depth encode prefilter shade view");
+  renderer->render();
+  EXPECT_EQ(passes(), "shade view");
+
+  Camera camera = scene->camera;
+  camera.position.x() += 1.0;
+  renderer->setCamera(camera);
+  renderer->render();
+  EXPECT_EQ(passes(), "shade view") << "moving the camera bakes nothing";
+
+  settings.view = ViewMode::Error;
+  settings.bias.constant *= 2.0;
+  showAgain();
+  EXPECT_EQ(passes(), "shade view");
+  settings.kernel.radius += 1;
+  showAgain();
+  EXPECT_EQ(passes(), "prefilter shade view");
+  settings.map.format = StorageFormat::Half;
+  showAgain();
+  EXPECT_EQ(passes(), "encode prefilter shade view");
+  renderer->setTechnique(*allTechniques().make("esm"));
+  renderer->render();
+  EXPECT_EQ(passes(), "encode prefilter shade view");
+  renderer->setTechnique(*allTechniques().make("esm"));
+  renderer->setLight(scene->light);
+  renderer->render();
+  EXPECT_EQ(passes(), "shade view") << "the same technique and light again";
+
+  Light light = scene->light;
+  light.position.x() -= 1.0;
+  renderer->setLight(light);
+  renderer->render();
+  EXPECT_EQ(passes(), "depth encode prefilter shade view");
+  settings.map.size = 256;
+  showAgain();
+  EXPECT_EQ(passes(), "depth encode prefilter shade view");
+  EXPECT_EQ(renderer->depthMap().width(), 256);
 }
 
-class FrameTest : public test::GpuTest {
- protected:
-  void show(const std::shared_ptr<const Scene>& scene, std::string_view technique) {
-    renderer.emplace(*window);
-    renderer->setScene(scene);
-    renderer->setLight(scene->light);
-    renderer->setCamera(scene->camera);
-    renderer->setFrame(settings);
-    renderer->setTechnique(*allTechniques().make(technique));
-    renderer->render();
+TEST_F(Frame, ReadBacksHaveTheirTopRowFirst) {
+  const auto scene = test::slabOverGround();
+  show(scene, "vsm");
+  // Two corners of the ground that differ in both coordinates, and the slab's top.
+  for (const Eigen::Vector3d& world :
+       {Eigen::Vector3d(-4, 0, 4), Eigen::Vector3d(-3, 0, -4), Eigen::Vector3d(1.8, 1.2, -1.2)}) {
+    const Eigen::Vector2i pixel = pixelOf(scene->camera, world);
+    const auto surface = renderer->surfaceAt(pixel.x(), pixel.y());
+    ASSERT_TRUE(surface.has_value());
+    // One pixel covers 0.05 units at most here, more along the ground's slant.
+    EXPECT_LT((surface->world - world).norm(), 0.1);
+    const LightPoint point = renderer->lightFrame().project(surface->world);
+    EXPECT_NEAR(surface->u, point.u, 1e-5);
+    EXPECT_NEAR(surface->v, point.v, 1e-5);
+    EXPECT_LE(surface->receiver, point.z);
+    EXPECT_GT(surface->receiver, point.z - 0.02);
+    EXPECT_TRUE(surface->facesLight);
+    const Image<float> surfaces = renderer->surfaces();
+    EXPECT_EQ(surfaces(pixel.x(), pixel.y(), 0), float(surface->u));
+    EXPECT_EQ(surfaces(pixel.x(), pixel.y(), 3), float(surface->visibility));
   }
-  void TearDown() override {
-    renderer.reset();
-    GpuTest::TearDown();
-  }
+  EXPECT_FALSE(renderer->surfaceAt(0, 0).has_value()) << "sky";
+  EXPECT_FALSE(renderer->surfaceAt(-1, 5).has_value());
+  const Image<std::uint8_t> colour = renderer->colour();
+  const Eigen::Vector2i slab = pixelOf(scene->camera, {2, 1.2, -1.5});
+  EXPECT_GT(colour(slab.x(), slab.y(), 0), colour(slab.x(), slab.y(), 2) + 40) << "brown";
+}
 
-  FrameSettings settings;
-  std::optional<ShadowRenderer> renderer;
-};
+TEST_F(Frame, KnowsWhatFacesAwayFromTheLight) {
+  const auto scene = test::slabAndBall();
+  scene->light.position = {5, 8, -6};  // from behind
+  show(scene, "vsm");
+  // The ball's side towards the camera, low.
+  const Eigen::Vector3d world =
+      Eigen::Vector3d(-1.5, 1, 1) + Eigen::Vector3d(-0.3, -0.6, 0.74).normalized();
+  const Eigen::Vector2i pixel = pixelOf(scene->camera, world);
+  const auto surface = renderer->surfaceAt(pixel.x(), pixel.y());
+  ASSERT_TRUE(surface.has_value());
+  EXPECT_FALSE(surface->facesLight);
+  EXPECT_LT(renderer->surfaces()(pixel.x(), pixel.y(), 2), 0.0f);
+}
 
-TEST_F(FrameTest, DrawsASceneWithVarianceShadows) {
-  for (LightKind kind : {LightKind::Directional, LightKind::Spot}) {
-    const auto scene = test::slabAndBall();
-    scene->light.kind = kind;
-    scene->light.halfAngle = 40;
-    show(scene, "vsm");
-    for (ViewMode view :
-         {ViewMode::Shaded, ViewMode::Visibility, ViewMode::Error, ViewMode::Depth}) {
-      settings.view = view;
-      renderer->setFrame(settings);
-      renderer->render();
-      keep(renderer->colour(), std::string(nameOf(kind)) + "-" + std::string(nameOf(view)));
+TEST_F(Frame, DrawsOthersPropsWithoutShadowOfTheirs) {
+  const auto scene = test::slabOverGround();
+  show(scene, "vsm");
+  const DepthMap before = renderer->depthMap();
+  const Image<float> surfacesBefore = renderer->surfaces();
+
+  // A green upright card in front of the ground's centre.
+  vtkNew<vtkPoints> points;
+  for (const auto& [x, y] : {std::pair{-1.0, 0.5}, {1.0, 0.5}, {1.0, 2.0}, {-1.0, 2.0}})
+    points->InsertNextPoint(x, y, 2.0);
+  vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell({0, 1, 2, 3});
+  vtkNew<vtkPolyData> card;
+  card->SetPoints(points);
+  card->SetPolys(cells);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(card);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(0, 1, 0);
+  actor->GetProperty()->LightingOff();
+  renderer->renderer().AddActor(actor);
+  renderer->setLight(scene->light);
+  settings.map.size = 512;  // bakes again
+  showAgain();
+  settings.map.size = 1024;
+  showAgain();
+
+  EXPECT_EQ(renderer->depthMap(), before);
+  EXPECT_EQ(renderer->surfaces(), surfacesBefore);
+  const Eigen::Vector2i pixel = pixelOf(scene->camera, {0, 1.2, 2});
+  const Image<std::uint8_t> colour = renderer->colour();
+  EXPECT_EQ(colour(pixel.x(), pixel.y(), 0), 0);
+  EXPECT_EQ(colour(pixel.x(), pixel.y(), 1), 255);
+
+  // Behind the slab it is hidden: the scene's depth is handed on.
+  actor->SetPosition(2.0, -0.4, -4.5);
+  renderer->render();
+  const Eigen::Vector2i slab = pixelOf(scene->camera, {2, 1.1, -1});
+  EXPECT_LT(renderer->colour()(slab.x(), slab.y(), 1), 200);
+  renderer->renderer().RemoveActor(actor);
+}
+
+TEST_F(Frame, ShowsTheSignOfTheErrorInColour) {
+  settings.view = ViewMode::Error;
+  settings.map.size = 128;
+  show(test::slabAndBall(), "vsm");
+  const Image<float> surfaces = renderer->surfaces(), reference = renderer->reference();
+  const Image<std::uint8_t> colour = renderer->colour();
+  int neutral = 0, red = 0;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      if (surfaces(x, y, 0) < 0.0f || surfaces(x, y, 2) < 0.0f) continue;
+      const float error = surfaces(x, y, 3) - reference(x, y);
+      const int balance = int(colour(x, y, 0)) - int(colour(x, y, 2));
+      if (error == 0.0f) {
+        ++neutral;
+        ASSERT_EQ(balance, 0) << x << "," << y;
+      } else if (error > 0.05f) {
+        ++red;
+        ASSERT_GT(balance, 3) << x << "," << y;
+      }
     }
-    const DepthMap& map = renderer->depthMap();
-    Image<std::uint8_t> depth(map.width(), map.height(), 3);
-    for (int y = 0; y < map.height(); ++y)
-      for (int x = 0; x < map.width(); ++x)
-        for (int c = 0; c < 3; ++c) depth(x, y, c) = std::uint8_t(255.0 * map(x, y));
-    keep(depth, std::string(nameOf(kind)) + "-map");
-    settings.view = ViewMode::Shaded;
-    renderer.reset();
   }
+  EXPECT_GT(neutral, 1000);
+  EXPECT_GT(red, 20);
+}
+
+TEST_F(Frame, AnotherRendererMayFollowInTheSameWindow) {
+  show(test::slabOverGround(), "vsm");
+  const Image<std::uint8_t> first = renderer->colour();
+  show(test::slabAndBall(), "power-cdf");
+  show(test::slabOverGround(), "vsm");
+  EXPECT_EQ(renderer->colour(), first);
+}
+
+TEST_F(Frame, ReadingBackBeforeAFrameIsAnError) {
+  ShadowRenderer empty(*window);
+  EXPECT_THROW(empty.surfaces(), Error);
+  EXPECT_THROW(empty.depthMap(), Error);
+}
+
+TEST_F(Frame, ABrokenShaderIsAnErrorThatNamesTheTechnique) {
+  class Broken final : public TechniqueWith<Broken, NoParameters> {
+    const TechniqueInfo& info() const override {
+      static constexpr TechniqueInfo info{.id = "broken", .title = "Broken"};
+      return info;
+    }
+    std::vector<Channel> channels() const override { return {{"z"}}; }
+    void encode(double z, std::span<double> channels) const override { channels[0] = z; }
+    double visibility(const Fetch&, double) const override { return 1.0; }
+    std::string_view glsl() const override { return "void umbraEncode("; }
+    std::string_view page() const override { return ""; }
+  };
+  show(test::slabOverGround(), "vsm");
+  renderer->setTechnique(Broken());
+  try {
+    renderer->render();
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("broken"), std::string::npos);
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+  }
+  // The compiler's message is an OpenGL error too; it must be the only one.
+  EXPECT_EQ(glErrors->messages().size(), 1u);
+  glErrors.reset();
+  glErrors.emplace();
 }
 
 }  // namespace

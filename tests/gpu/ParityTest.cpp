@@ -10,11 +10,12 @@
 #include "filters/core/TechniqueCatalogue.h"
 #include "filters/gpu/ChannelBaker.h"
 #include "tests/gpu/GpuTest.h"
+#include "tests/gpu/Rounding.h"
 
 namespace umbra {
 namespace {
 
-const double eps = unitRoundoff(StorageFormat::Float);
+using test::eps;
 
 // Not square, so that an exchange of the axes shows. Values are floats, as the GPU gets them.
 DepthMap mapOf(const std::function<double(int, int)>& depth) {
@@ -190,38 +191,6 @@ TEST_P(Parity, Prefilter) {
   }
 }
 
-// How far visibility moves when every input is off by `roundings` float roundings: the GPU's
-// result must be the exact one for inputs within that distance (mixed stability), up to as many
-// roundings of its own. The longest formula, MSM's with its change of basis, has 96 operations,
-// each of which rounds once. A normalised format's channel is low + span · stored, rounded in
-// terms of its range.
-double visibilityError(const Technique& technique, StorageFormat format, const Fetch& fetch,
-                       double receiver) {
-  constexpr double roundings = 96;
-  const double exact = technique.visibility(fetch, receiver);
-  double error = roundings * eps * technique.info().amplification;
-  std::vector<double> channels(fetch.channels.begin(), fetch.channels.end());
-  const auto worst = [&](auto&& evaluate) {
-    error += std::max(std::abs(evaluate(roundings * eps) - exact),
-                      std::abs(evaluate(-roundings * eps) - exact));
-  };
-  const std::vector<Channel> layout = technique.channels();
-  for (std::size_t c = 0; c < channels.size(); ++c) {
-    double& channel = channels[c];
-    const double value = channel;
-    const double size = isNormalised(format)
-                            ? std::max(std::abs(layout[c].low), std::abs(layout[c].high))
-                            : std::abs(value);
-    worst([&](double relative) {
-      channel = value + size * relative;
-      return technique.visibility({channels, fetch.region}, receiver);
-    });
-    channel = value;
-  }
-  worst([&](double shift) { return technique.visibility(fetch, receiver + shift); });
-  return error;
-}
-
 // Receivers at every kind of place: behind, before and exactly at what the texel saw.
 double receiverFor(int x, int y, const Region& region) {
   const RegionStatistics statistics = statisticsOf(region);
@@ -268,7 +237,7 @@ TEST_P(Parity, Visibility) {
           const double receiver = reads(x, y, 2);
           const std::size_t pixel = std::size_t(y) * map.width() + x;
           ASSERT_NEAR(gpu[2 * pixel], technique->visibility(fetch, receiver),
-                      visibilityError(*technique, GetParam().format, fetch, receiver))
+                      test::visibilityError(*technique, GetParam().format, fetch, receiver))
               << "texel " << x << "," << y << ", receiver " << receiver;
           // Sums of non-negative weights along both axes.
           ASSERT_NEAR(gpu[2 * pixel + 1], referenceVisibility(region, receiver),

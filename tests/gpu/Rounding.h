@@ -1,0 +1,46 @@
+// What float arithmetic on the GPU may differ by from the reference in double.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "filters/core/Technique.h"
+
+namespace umbra::test {
+
+inline const double eps = unitRoundoff(StorageFormat::Float);
+
+// How far visibility moves when every input is off by `roundings` float roundings: the GPU's
+// result must be the exact one for inputs within that distance (mixed stability), up to as many
+// roundings of its own. The longest formula, MSM's with its change of basis, has 96 operations,
+// each of which rounds once. A normalised format's channel is low + span · stored, rounded in
+// terms of its range.
+inline double visibilityError(const Technique& technique, StorageFormat format, const Fetch& fetch,
+                              double receiver) {
+  constexpr double roundings = 96;
+  const double exact = technique.visibility(fetch, receiver);
+  double error = roundings * eps * technique.info().amplification;
+  std::vector<double> channels(fetch.channels.begin(), fetch.channels.end());
+  const auto worst = [&](auto&& evaluate) {
+    error += std::max(std::abs(evaluate(roundings * eps) - exact),
+                      std::abs(evaluate(-roundings * eps) - exact));
+  };
+  const std::vector<Channel> layout = technique.channels();
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    double& channel = channels[c];
+    const double value = channel;
+    const double size = isNormalised(format)
+                            ? std::max(std::abs(layout[c].low), std::abs(layout[c].high))
+                            : std::abs(value);
+    worst([&](double relative) {
+      channel = value + size * relative;
+      return technique.visibility({channels, fetch.region}, receiver);
+    });
+    channel = value;
+  }
+  worst([&](double shift) { return technique.visibility(fetch, receiver + shift); });
+  return error;
+}
+
+}  // namespace umbra::test
