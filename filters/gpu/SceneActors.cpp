@@ -112,9 +112,9 @@ SceneLights::SceneLights(vtkRenderer& renderer)
   casting_->SetLightTypeToSceneLight();
   sky_->SetLightTypeToSceneLight();
   sky_->SetPosition(0.0, 1.0, 0.0);
-  sky_->SetIntensity(0.22);
+  sky_->SetIntensity(0.28);
   camera_->SetLightTypeToHeadlight();
-  camera_->SetIntensity(0.25);
+  camera_->SetIntensity(0.3);
   renderer.AutomaticLightCreationOff();
   for (vtkLight* light : {casting_.Get(), sky_.Get(), camera_.Get()}) renderer.AddLight(light);
 }
@@ -124,7 +124,7 @@ void SceneLights::setLight(const Light& light) {
   casting_->SetFocalPoint(light.target.x(), light.target.y(), light.target.z());
   casting_->SetColor(light.colour.x(), light.colour.y(), light.colour.z());
   // Leaves room for the other two below white.
-  casting_->SetIntensity(0.8 * light.intensity);
+  casting_->SetIntensity(0.75 * light.intensity);
   casting_->SetPositional(light.kind == LightKind::Spot);
   casting_->SetConeAngle(light.halfAngle);  // VTK's is the half angle too
 }

@@ -111,6 +111,10 @@ void vtkUmbraFramePass::RethrowError() {
 }
 
 void vtkUmbraFramePass::DrawFrame(const vtkRenderState* state) {
+  if (!GLEW_VERSION_4_5)
+    throw umbra::Error(ErrorKind::NoOpenGL,
+                       "the window's OpenGL is older than the 4.5 that shadows need; a newer "
+                       "driver, or Debian's libgl1-mesa-dri, brings it");
   vtkRenderer* renderer = state->GetRenderer();
   std::vector<vtkProp*> own, others;
   for (int i = 0; i < state->GetPropArrayCount(); ++i) {

@@ -1,0 +1,78 @@
+// Every scene of the catalogue in every technique. With UMBRA_TEST_PICTURES set to a folder, the
+// pictures are kept there to be looked at.
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkWindowToImageFilter.h>
+
+#include <cstdlib>
+
+#include "datasets/SceneCatalogue.h"
+#include "tests/gpu/FrameFixture.h"
+
+namespace umbra {
+namespace {
+
+class CatalogueScene : public test::FrameFixture, public testing::WithParamInterface<std::string> {
+ protected:
+  void keepPicture(const std::string& name) {
+    const char* folder = std::getenv("UMBRA_TEST_PICTURES");
+    if (!folder) return;
+    vtkNew<vtkWindowToImageFilter> grab;
+    grab->SetInput(window);
+    grab->ReadFrontBufferOff();
+    grab->ShouldRerenderOff();
+    vtkNew<vtkPNGWriter> writer;
+    writer->SetInputConnection(grab->GetOutputPort());
+    writer->SetFileName((std::string(folder) + "/" + name + ".png").c_str());
+    writer->Write();
+  }
+};
+
+std::vector<std::string> openableScenes() {
+  std::vector<std::string> names;
+  for (const SceneInfo& info : sceneCatalogue())
+    if (info.missing.empty()) names.push_back(info.name);
+  return names;
+}
+
+TEST_P(CatalogueScene, HasLightAndShadowInEveryTechnique) {
+  const auto scene = std::make_shared<const Scene>(makeScene(GetParam()));
+  settings.map.size = 512;
+  const TechniqueCatalogue catalogue = allTechniques();
+  for (const Technique* candidate : catalogue.all()) {
+    const std::string id(candidate->info().id);
+    SCOPED_TRACE(id);
+    if (!renderer)
+      show(scene, id);
+    else
+      renderer->setTechnique(*candidate);
+    renderer->render();
+    keepPicture(GetParam() + "-" + id);
+    int lit = 0, dark = 0, surfaces = 0;
+    const Image<float> picture = renderer->surfaces();
+    for (int y = 0; y < picture.height(); ++y) {
+      for (int x = 0; x < picture.width(); ++x) {
+        if (picture(x, y, 0) < 0.0f) continue;
+        ++surfaces;
+        const float visibility = picture(x, y, 3);
+        ASSERT_GE(visibility, 0.0f);
+        ASSERT_LE(visibility, 1.0f);
+        if (visibility > 0.9f) ++lit;
+        if (visibility < 0.1f) ++dark;
+      }
+    }
+    EXPECT_GT(surfaces, width * height / 10);
+    EXPECT_GT(lit, surfaces / 20);
+    EXPECT_GT(dark, surfaces / 200);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, CatalogueScene, testing::ValuesIn(openableScenes()),
+                         [](const testing::TestParamInfo<std::string>& scene) {
+                           std::string name = scene.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace umbra
