@@ -66,9 +66,8 @@ void checkWritable(const fs::path& file) {
     throw Error(ErrorKind::BadOutput, file.string() + ": is a folder, not a file");
   // The nearest folder above the file that exists must take new entries.
   fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  while (!fs::exists(folder) && folder.has_parent_path() && folder != folder.parent_path())
-    folder = folder.parent_path();
-  if (folder.empty()) folder = ".";
+  while (!fs::exists(folder))
+    folder = folder.has_parent_path() ? folder.parent_path() : fs::path(".");
   if (!fs::is_directory(folder) || access(folder.c_str(), W_OK | X_OK) != 0)
     throw Error(ErrorKind::BadOutput,
                 file.string() + ": " + folder.string() + " is not a folder that can be written");

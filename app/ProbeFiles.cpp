@@ -1,7 +1,7 @@
 #include "app/ProbeFiles.h"
 
 #include "analysis/ProbePlots.h"
-#include "app/Cancellation.h"
+#include "app/PlotFiles.h"
 #include "app/Table.h"
 #include "filters/core/AtomicFile.h"
 #include "filters/core/Text.h"
@@ -11,14 +11,8 @@ namespace umbra {
 void writeProbe(OutputFolder& folder, Display& display, const Probe& probe, const Json& json,
                 std::string_view selected, int bins) {
   writeTextAtomically(folder.file("probe.json"), toText(json));
-  for (const Plot& plot :
-       {curvesPlot(probe, selected), histogramPlot(probe, bins), cdfPlot(probe)}) {
-    for (const char* extension : {".png", ".svg", ".pdf"}) {
-      throwIfCancelled();
-      display.writePlot(plot, folder.file(plot.name + extension));
-    }
-    writeCsv(plot, folder.file(plot.name + ".csv"));
-  }
+  const Plot plots[] = {curvesPlot(probe, selected), histogramPlot(probe, bins), cdfPlot(probe)};
+  writePlots(folder, display, plots);
 }
 
 std::string probeText(const Probe& probe) {

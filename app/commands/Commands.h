@@ -16,6 +16,7 @@ struct Command {
 Command addRender(CLI::App& program);
 Command addProbe(CLI::App& program);
 Command addEncode(CLI::App& program);
+Command addSplits(CLI::App& program);
 Command addCompare(CLI::App& program);
 Command addTour(CLI::App& program);
 Command addScenes(CLI::App& program);

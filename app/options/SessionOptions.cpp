@@ -215,7 +215,9 @@ void SessionOptions::editMap(Session& session) const {
   if (kernel_) frame.kernel.shape = kernelShapeFrom(*kernel_);
   if (radius_) frame.kernel.radius = integerFrom(*radius_, "--radius", 0, Kernel::largestRadius);
   if (sigma_) frame.kernel.sigma = numberFrom(*sigma_, "--sigma", {0.01, 1000.0});
-  if (mapSize_) frame.map.size = integerFrom(*mapSize_, "--map-size", 16, 8192);
+  if (mapSize_)
+    frame.map.size =
+        integerFrom(*mapSize_, "--map-size", MapSettings::smallest, MapSettings::largest);
   if (filter_) frame.read = readFilterFrom(*filter_);
   if (format_) frame.map.format = storageFormatFrom(*format_);
 }

@@ -1,0 +1,15 @@
+// Plots as files.
+#pragma once
+
+#include <span>
+
+#include "analysis/Plot.h"
+#include "app/Output.h"
+#include "app/display/Display.h"
+
+namespace umbra {
+
+// Each plot as NAME.png, .svg, .pdf and .csv.
+void writePlots(OutputFolder& folder, Display& display, std::span<const Plot> plots);
+
+}  // namespace umbra

@@ -1,0 +1,178 @@
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "analysis/SplitPlots.h"
+#include "app/Cancellation.h"
+#include "app/PlotFiles.h"
+#include "app/Reports.h"
+#include "app/SceneSources.h"
+#include "app/TechniqueSet.h"
+#include "app/commands/Commands.h"
+#include "app/display/DisplayLibrary.h"
+#include "app/options/OptionValues.h"
+#include "app/options/SessionOptions.h"
+#include "filters/core/AtomicFile.h"
+#include "filters/core/Error.h"
+#include "filters/core/Text.h"
+#include "filters/techniques/lvsm/Lloyd.h"
+
+namespace umbra {
+namespace {
+
+constexpr int mostIterations = 100000;
+
+struct Splits {
+  int layers = 1;
+  LloydResult result;
+  Histogram histogram;  // of the samples, by weight; empty where none has any
+};
+
+struct SplitsCommand {
+  explicit SplitsCommand(CLI::App& command);
+
+  void run() const;
+  DepthMap depthMap(const Session& session) const;
+  int layerCount(const Session& session) const;
+  bool uniform() const;
+  Splits place(const DepthMap& map, int layers) const;
+
+  SessionOptions options;
+  std::optional<std::string> layers, placement, iterations, bins, folder;
+  bool json = false;
+  TechniqueCatalogue catalogue = allTechniques();
+};
+
+SplitsCommand::SplitsCommand(CLI::App& command) {
+  const std::string group = "Splits";
+  const auto add = [&](const std::string& name, auto& value, const std::string& type,
+                       const std::string& text) {
+    command.add_option(name, value, text)->type_name(type)->group(group);
+  };
+  add("--layers", layers, "N", "Layers, one more than splits (default lvsm.layers)");
+  add("--placement", placement, "NAME", "uniform or lloyd (default)");
+  add("--iterations", iterations, "K", "Stop after K iterations; else when nothing moves");
+  add("--bins", bins, "N", "Bins of the histogram (default 60)");
+  add("-o,--output", folder, "DIR", "Write splits.json and the plots as PNG, SVG, PDF and CSV");
+  command.add_flag("--json", json, "Print one JSON object")->group(group);
+  options.addTo(command);
+}
+
+bool SplitsCommand::uniform() const {
+  if (!placement || *placement == "lloyd") return false;
+  if (*placement == "uniform") return true;
+  throw Error(ErrorKind::BadCommandLine,
+              "--placement: '" + *placement + "' is not right, it takes uniform or lloyd");
+}
+
+int SplitsCommand::layerCount(const Session& session) const {
+  const std::unique_ptr<Technique> technique = techniqueOf(session, catalogue, "lvsm");
+  const std::vector<Parameter> parameters = technique->parameters();
+  const Parameter& row = parameterNamed(parameters, "layers", "lvsm.layers");
+  return layers ? integerFrom(*layers, "--layers", int(row.low), int(row.high))
+                : std::get<int>(row.get());
+}
+
+DepthMap SplitsCommand::depthMap(const Session& session) const {
+  if (session.source.kind == SourceKind::DepthFile) return loadDepthMap(session.source);
+  checkGpuFormat(session);
+  const auto scene = std::make_shared<const Scene>(loadScene(session.source));
+  const std::unique_ptr<Display> display = loadDisplay();
+  const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
+  frame->render(*catalogue.make("hard"), ViewMode::Shaded);
+  return frame->depthMap();
+}
+
+// Weights sum to 1; equal widths over the values that have weight, the last bin closed.
+Histogram histogramOf(const std::vector<WeightedSample>& samples, int bins) {
+  double low = 0.0, high = 0.0, sum = 0.0;
+  for (const WeightedSample& sample : samples) {
+    if (sample.weight <= 0.0) continue;
+    low = sum > 0.0 ? std::min(low, sample.value) : sample.value;
+    high = sum > 0.0 ? std::max(high, sample.value) : sample.value;
+    sum += sample.weight;
+  }
+  if (sum <= 0.0) return {};
+  if (low == high) return {{low, high}, {1.0}};
+  Histogram histogram;
+  for (int i = 0; i <= bins; ++i) histogram.edges.push_back(std::lerp(low, high, double(i) / bins));
+  histogram.weights.assign(bins, 0.0);
+  for (const WeightedSample& sample : samples) {
+    if (sample.weight <= 0.0) continue;
+    const auto inner =
+        std::upper_bound(histogram.edges.begin() + 1, histogram.edges.end() - 1, sample.value);
+    histogram.weights[inner - histogram.edges.begin() - 1] += sample.weight / sum;
+  }
+  return histogram;
+}
+
+Splits SplitsCommand::place(const DepthMap& map, int count) const {
+  Splits splits{.layers = count};
+  const std::vector<WeightedSample> samples = secondOccluderSamples(map);
+  LloydOptions lloyd{.splits = count - 1, .maxIterations = mostIterations};
+  if (iterations) lloyd.maxIterations = integerFrom(*iterations, "--iterations", 1, mostIterations);
+  // The first iteration's cost is that of the uniform start; its move is not wanted.
+  if (uniform()) lloyd.maxIterations = 1;
+  splits.result = relax(samples, lloyd);
+  if (uniform()) {
+    splits.result.iterations = splits.result.teleports = 0;
+    for (int k = 1; k < count; ++k) splits.result.splits[k - 1] = double(k) / count;
+  }
+  splits.histogram = histogramOf(samples, bins ? integerFrom(*bins, "--bins", 1, 100000) : 60);
+  return splits;
+}
+
+Json splitsToJson(const Splits& splits) {
+  return {
+      {"format", "umbrascope-splits/1"},
+      {"layers", splits.layers},
+      {"splits", splits.result.splits},
+      {"cost", splits.result.cost},
+      {"iterations", splits.result.iterations},
+      {"teleports", splits.result.teleports},
+      {"histogram", {{"edges", splits.histogram.edges}, {"weights", splits.histogram.weights}}}};
+}
+
+std::string splitsText(const Splits& splits) {
+  const LloydResult& result = splits.result;
+  std::string text = "layers     " + std::to_string(splits.layers) + "\nsplits    ";
+  for (double split : result.splits) text += " " + shortNumber(split);
+  if (!result.cost.empty())
+    text += "\ncost       " + shortNumber(result.cost.front()) + " at the start, " +
+            shortNumber(result.cost.back()) + " at the end";
+  return text + "\niterations " + std::to_string(result.iterations) + ", teleports " +
+         std::to_string(result.teleports) + "\n";
+}
+
+void SplitsCommand::run() const {
+  if (json && folder)
+    throw Error(ErrorKind::BadCommandLine, "--json: excludes -o, give one of them");
+  if (folder) checkWritable(std::filesystem::path(*folder) / "splits.json");
+  const Session session = options.session(catalogue);
+  const int count = layerCount(session);
+  uniform();
+  const DepthMap map = depthMap(session);
+  throwIfCancelled();
+  const Splits splits = place(map, count);
+  throwIfCancelled();
+  if (json) return printJson(splitsToJson(splits));
+  if (!folder) return print(splitsText(splits));
+  OutputFolder files(*folder);
+  writeTextAtomically(files.file("splits.json"), toText(splitsToJson(splits)));
+  const Plot plots[] = {splitsPlot(splits.histogram, splits.result.splits),
+                        costPlot(splits.result.cost)};
+  writePlots(files, *loadDisplay(), plots);
+  files.finish();
+}
+
+}  // namespace
+
+Command addSplits(CLI::App& program) {
+  CLI::App* command =
+      program.add_subcommand("splits", "Place the splits of layered variance shadow maps");
+  const auto splits = std::make_shared<SplitsCommand>(*command);
+  return {command, [splits] { splits->run(); }};
+}
+
+}  // namespace umbra
