@@ -9,7 +9,9 @@
 namespace umbra {
 
 struct MapSettings {
-  int size = 1024;  // texels a side, 16 … 8192
+  static constexpr int smallest = 16, largest = 8192;
+
+  int size = 1024;  // texels a side, smallest … largest
   StorageFormat format = StorageFormat::Float;
 
   bool operator==(const MapSettings&) const = default;

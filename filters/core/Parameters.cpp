@@ -55,9 +55,9 @@ void Parameter::set(const ParameterValue& given, std::string_view where) const {
   if (const auto* whole = std::get_if<int>(&value)) fits = inRange(*this, *whole);
   if (const auto* list = std::get_if<std::vector<double>>(&value))
     for (double element : *list) fits = fits && inRange(*this, element);
-  if (const auto* name = std::get_if<std::string>(&value)) {
+  if (const auto* chosen = std::get_if<std::string>(&value)) {
     fits = false;
-    for (std::string_view choice : choices) fits = fits || choice == *name;
+    for (std::string_view choice : choices) fits = fits || choice == *chosen;
   }
   if (!fits) refuse(where, *this, "'" + toText(given) + "'");
   put(value);

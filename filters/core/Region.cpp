@@ -17,6 +17,8 @@ void addTaps(Region& region, const DepthMap& map, int x0, int y0, const std::vec
   for (std::size_t j = 0; j < wy.size(); ++j) {
     const int y = std::clamp(y0 + int(j), 0, map.height() - 1);
     for (std::size_t i = 0; i < wx.size(); ++i) {
+      // A bilinear read at a texel's centre gives its outermost taps no weight at all.
+      if (wx[i] * wy[j] == 0.0) continue;
       const int x = std::clamp(x0 + int(i), 0, map.width() - 1);
       region.texels.push_back({x, y, map(x, y), wx[i] * wy[j]});
     }
@@ -37,12 +39,13 @@ std::vector<double> widened(const std::vector<double>& weights, double f) {
 
 Region regionAtTexel(const DepthMap& map, const Kernel& kernel, int x, int y) {
   if (x < 0 || y < 0 || x >= map.width() || y >= map.height())
-    throw Error(ErrorKind::BadCommandLine,
-                "texel " + std::to_string(x) + "," + std::to_string(y) + " is outside the " +
-                    std::to_string(map.width()) + "x" + std::to_string(map.height()) + " map");
+    throw Error(ErrorKind::BadCommandLine, "texel " + std::to_string(x) + "," + std::to_string(y) +
+                                               " is outside the " + std::to_string(map.width()) +
+                                               "x" + std::to_string(map.height()) + " map");
   Region region{x, y, kernel, {}, map(x, y)};
   const std::vector<double> weights = kernel.weights();
-  addTaps(region, map, x - kernel.effectiveRadius(), y - kernel.effectiveRadius(), weights, weights);
+  addTaps(region, map, x - kernel.effectiveRadius(), y - kernel.effectiveRadius(), weights,
+          weights);
   return region;
 }
 

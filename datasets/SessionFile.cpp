@@ -1,0 +1,294 @@
+#include "datasets/SessionFile.h"
+
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "datasets/JsonObject.h"
+#include "filters/core/AtomicFile.h"
+#include "filters/core/Error.h"
+
+namespace umbra {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr const char* formatName = "umbrascope-session/1";
+constexpr double anyNumber = std::numeric_limits<double>::max();
+
+void readPoint(JsonObject& object, std::string_view key, Eigen::Vector3d& target) {
+  double values[3] = {target.x(), target.y(), target.z()};
+  object.readVector(key, values);
+  target = {values[0], values[1], values[2]};
+}
+
+Json pointJson(const Eigen::Vector3d& point) {
+  return {point.x(), point.y(), point.z()};
+}
+
+Json sourceJson(const SceneSource& source) {
+  switch (source.kind) {
+    case SourceKind::MeshFile:
+      return {{"mesh", source.name}};
+    case SourceKind::DepthFile: {
+      Json json{{"depth", source.name}};
+      if (!source.channel.empty()) json["channel"] = source.channel;
+      json["range"] = {source.depthNear, source.depthFar};
+      return json;
+    }
+    case SourceKind::Catalogue:
+      break;
+  }
+  Json json{{"scene", source.name}};
+  if (!source.parameters.empty()) json["parameters"] = source.parameters;
+  return json;
+}
+
+double numberAt(const Json& value, const std::string& where) {
+  if (!value.is_number())
+    throw Error(ErrorKind::BadInput, where + ": " + value.dump() + " should be a number");
+  return value.get<double>();
+}
+
+void readPair(const Json& value, const std::string& where, double& first, double& second) {
+  if (!value.is_array() || value.size() != 2)
+    throw Error(ErrorKind::BadInput, where + ": " + value.dump() + " should be two numbers");
+  first = numberAt(value[0], where);
+  second = numberAt(value[1], where);
+}
+
+void readSource(JsonObject& object, SceneSource& source) {
+  std::string scene, mesh, depth;
+  object.read("scene", scene);
+  object.read("mesh", mesh);
+  object.read("depth", depth);
+  if (int(!scene.empty()) + int(!mesh.empty()) + int(!depth.empty()) != 1)
+    throw Error(ErrorKind::BadInput,
+                object.where() + ": needs exactly one of 'scene', 'mesh' and 'depth'");
+  source = SceneSource{};
+  if (!scene.empty()) {
+    source.name = scene;
+    object.readObject("parameters", [&](JsonObject& parameters) {
+      parameters.readRest([&](const std::string& key, const Json& value, const std::string& where) {
+        source.parameters[key] = numberAt(value, where);
+      });
+    });
+  } else if (!mesh.empty()) {
+    source.kind = SourceKind::MeshFile;
+    source.name = mesh;
+  } else {
+    source.kind = SourceKind::DepthFile;
+    source.name = depth;
+    object.read("channel", source.channel);
+    object.readRest([&](const std::string& key, const Json& value, const std::string& where) {
+      if (key != "range") throw Error(ErrorKind::BadInput, where + ": there is no such key");
+      readPair(value, where, source.depthNear, source.depthFar);
+    });
+  }
+}
+
+Json lightJson(const Light& light) {
+  return {{"kind", nameOf(light.kind)},        {"position", pointJson(light.position)},
+          {"target", pointJson(light.target)}, {"halfAngle", light.halfAngle},
+          {"colour", pointJson(light.colour)}, {"intensity", light.intensity}};
+}
+
+Light lightFrom(JsonObject& object) {
+  Light light;
+  object.readName("kind", [&](const std::string& name) { light.kind = lightKindFrom(name); });
+  readPoint(object, "position", light.position);
+  readPoint(object, "target", light.target);
+  object.read("halfAngle", light.halfAngle, 1.0, 60.0);
+  readPoint(object, "colour", light.colour);
+  object.read("intensity", light.intensity, 0.0, 1000.0);
+  return light;
+}
+
+Json cameraJson(const Camera& camera) {
+  return {{"position", pointJson(camera.position)},
+          {"target", pointJson(camera.target)},
+          {"up", pointJson(camera.up)},
+          {"viewAngle", camera.viewAngle}};
+}
+
+Camera cameraFrom(JsonObject& object) {
+  Camera camera;
+  readPoint(object, "position", camera.position);
+  readPoint(object, "target", camera.target);
+  readPoint(object, "up", camera.up);
+  object.read("viewAngle", camera.viewAngle, 1.0, 170.0);
+  return camera;
+}
+
+Json frameJson(const FrameSettings& frame) {
+  return {{"mapSize", frame.map.size},
+          {"format", nameOf(frame.map.format)},
+          {"filter", nameOf(frame.read)},
+          {"view", nameOf(frame.view)},
+          {"kernel",
+           {{"shape", nameOf(frame.kernel.shape)},
+            {"radius", frame.kernel.radius},
+            {"sigma", frame.kernel.sigma}}},
+          {"bias",
+           {{"constant", frame.bias.constant},
+            {"slope", frame.bias.slope},
+            {"receiverPlane", frame.bias.receiverPlane},
+            {"cullFrontFaces", frame.bias.cullFrontFaces}}}};
+}
+
+void readFrame(JsonObject& object, FrameSettings& frame) {
+  object.read("mapSize", frame.map.size, MapSettings::smallest, MapSettings::largest);
+  object.readName("format",
+                  [&](const std::string& name) { frame.map.format = storageFormatFrom(name); });
+  object.readName("filter", [&](const std::string& name) { frame.read = readFilterFrom(name); });
+  object.readName("view", [&](const std::string& name) { frame.view = viewModeFrom(name); });
+  object.readObject("kernel", [&](JsonObject& kernel) {
+    kernel.readName("shape",
+                    [&](const std::string& name) { frame.kernel.shape = kernelShapeFrom(name); });
+    kernel.read("radius", frame.kernel.radius, 0, Kernel::largestRadius);
+    kernel.read("sigma", frame.kernel.sigma, 0.0, 1000.0);
+  });
+  object.readObject("bias", [&](JsonObject& bias) {
+    bias.read("constant", frame.bias.constant, 0.0, 1.0);
+    bias.read("slope", frame.bias.slope, 0.0, 1000.0);
+    bias.read("receiverPlane", frame.bias.receiverPlane);
+    bias.read("cullFrontFaces", frame.bias.cullFrontFaces);
+  });
+}
+
+Json valueJson(const ParameterValue& value) {
+  return std::visit([](const auto& held) { return Json(held); }, value);
+}
+
+ParameterValue valueFrom(const Json& json, const std::string& where) {
+  if (json.is_number_integer() && std::abs(json.get<double>()) < 1e9) return json.get<int>();
+  if (json.is_number()) return json.get<double>();
+  if (json.is_string()) return json.get<std::string>();
+  if (json.is_array()) {
+    std::vector<double> list;
+    for (const Json& element : json) list.push_back(numberAt(element, where));
+    return list;
+  }
+  throw Error(ErrorKind::BadInput, where + ": " + json.dump() + " is no parameter's value");
+}
+
+// Checked against the techniques' own tables, so that an error names its key here and not later.
+void readParameters(JsonObject& object, TechniqueParameters& parameters) {
+  const TechniqueCatalogue catalogue = allTechniques();
+  object.readRest([&](const std::string& id, const Json& values, const std::string& where) {
+    if (!catalogue.has(id))
+      throw Error(ErrorKind::BadInput, where + ": there is no such technique");
+    const std::unique_ptr<Technique> technique = catalogue.make(id);
+    const std::vector<Parameter> known = technique->parameters();
+    JsonObject(values, where)
+        .readRest([&](const std::string& name, const Json& value, const std::string& place) {
+          const Parameter& parameter = parameterNamed(known, name, place);
+          parameter.set(valueFrom(value, place), place);
+          parameters[id][name] = parameter.get();
+        });
+  });
+}
+
+}  // namespace
+
+Json toJson(const Session& session) {
+  Json json{{"format", formatName}, {"source", sourceJson(session.source)}};
+  if (session.light) json["light"] = lightJson(*session.light);
+  if (session.camera) json["camera"] = cameraJson(*session.camera);
+  json["frame"] = frameJson(session.frame);
+  json["technique"] = session.technique;
+  json["parameters"] = Json::object();
+  for (const auto& [id, values] : session.parameters)
+    for (const auto& [name, value] : values) json["parameters"][id][name] = valueJson(value);
+  json["size"] = {session.width, session.height};
+  if (session.probe) json["probe"] = {session.probe->x, session.probe->y};
+  if (session.receiver) json["receiver"] = *session.receiver;
+  return json;
+}
+
+Session sessionFrom(const Json& json, std::string_view where) {
+  Session session;
+  JsonObject object(json, std::string(where));
+  std::string format;
+  object.read("format", format);
+  if (format != formatName)
+    throw Error(
+        ErrorKind::BadInput,
+        std::string(where) + ": is no session, its \"format\" should be \"" + formatName + "\"");
+  object.readObject("source", [&](JsonObject& source) { readSource(source, session.source); });
+  object.readObject("light", [&](JsonObject& light) { session.light = lightFrom(light); });
+  object.readObject("camera", [&](JsonObject& camera) { session.camera = cameraFrom(camera); });
+  object.readObject("frame", [&](JsonObject& frame) { readFrame(frame, session.frame); });
+  object.readName("technique", [&](const std::string& id) {
+    session.technique = allTechniques().make(id)->info().id;
+  });
+  object.readObject("parameters", [&](JsonObject& parameters) {
+    readParameters(parameters, session.parameters);
+  });
+  double receiver = -1.0;
+  object.read("receiver", receiver, 0.0, 1.0);
+  if (receiver >= 0.0) session.receiver = receiver;
+  const auto readPixels = [&](const char* key, int low, int high, auto use) {
+    if (!json.contains(key)) return;
+    const std::string place = std::string(where) + ": " + key;
+    double x = 0.0, y = 0.0;
+    readPair(json.at(key), place, x, y);
+    if (x != int(x) || y != int(y) || x < low || y < low || x > high || y > high)
+      throw Error(ErrorKind::BadInput, place + ": " + json.at(key).dump() +
+                                           " should be two whole numbers from " +
+                                           std::to_string(low) + " to " + std::to_string(high));
+    use(int(x), int(y));
+  };
+  readPixels("size", 1, 16384, [&](int x, int y) { session.width = x, session.height = y; });
+  readPixels("probe", 0, 16383, [&](int x, int y) { session.probe = Pixel{x, y}; });
+  object.readRest([&](const std::string& key, const Json&, const std::string& place) {
+    if (key != "size" && key != "probe")
+      throw Error(ErrorKind::BadInput, place + ": there is no such key");
+  });
+  return session;
+}
+
+std::string sessionToText(const Session& session) {
+  return toJson(session).dump(2) + "\n";
+}
+
+Session sessionFromText(std::string_view text, std::string_view where) {
+  Json json;
+  try {
+    json = Json::parse(text);
+  } catch (const Json::parse_error& error) {
+    throw Error(ErrorKind::BadInput, std::string(where) +
+                                         ": is not JSON, it breaks off or errs at byte " +
+                                         std::to_string(error.byte));
+  }
+  return sessionFrom(json, where);
+}
+
+Session readSession(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (!stream || std::filesystem::is_directory(file))
+    throw Error(ErrorKind::BadInput, file.string() + ": cannot be read");
+  Session session = sessionFromText(text.str(), file.string());
+  if (session.source.kind != SourceKind::Catalogue)
+    session.source.name = (std::filesystem::absolute(file).parent_path() / session.source.name)
+                              .lexically_normal()
+                              .string();
+  return session;
+}
+
+void writeSession(const Session& session, const std::filesystem::path& file) {
+  Session relative = session;
+  if (session.source.kind != SourceKind::Catalogue) {
+    const auto folder = std::filesystem::absolute(file).parent_path();
+    relative.source.name = std::filesystem::absolute(session.source.name)
+                               .lexically_normal()
+                               .lexically_proximate(folder)
+                               .string();
+  }
+  writeTextAtomically(file, sessionToText(relative));
+}
+
+}  // namespace umbra

@@ -1,0 +1,42 @@
+// Sessions as JSON: for files, for the window's memory and inside exported pictures.
+//
+// {"format": "umbrascope-session/1",
+//  "source": {"scene": "tree-bench", "parameters": {"a": 0.1}}
+//            | {"mesh": "fan.ply"} | {"depth": "m.exr", "channel": "Z", "range": [0, 1]},
+//  "light":  {"kind": "spot", "position": [x,y,z], "target": [x,y,z], "halfAngle": 30,
+//             "colour": [r,g,b], "intensity": 1},
+//  "camera": {"position": [x,y,z], "target": [x,y,z], "up": [x,y,z], "viewAngle": 30},
+//  "frame":  {"mapSize": 1024, "format": "float", "filter": "bilinear", "view": "shaded",
+//             "kernel": {"shape": "box", "radius": 3, "sigma": 0},
+//             "bias": {"constant": 5e-4, "slope": 1, "receiverPlane": true,
+//                      "cullFrontFaces": false}},
+//  "technique": "vsm",
+//  "parameters": {"vsm": {"min-variance": 1e-5}, "lvsm": {"splits": [0.2, 0.5]}},
+//  "size": [1280, 720], "probe": [x, y], "receiver": 0.7}
+//
+// Every key but "format" may be absent and then has its default; "light" and "camera" absent means
+// the scene's own.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "datasets/Session.h"
+
+namespace umbra {
+
+nlohmann::ordered_json toJson(const Session& session);
+// `where` is what errors begin with, the file's name. Throws BadInput for an unknown key, a wrong
+// type, a value out of range, an unknown technique or parameter: each names its key.
+Session sessionFrom(const nlohmann::ordered_json& json, std::string_view where);
+
+std::string sessionToText(const Session& session);  // indented
+Session sessionFromText(std::string_view text, std::string_view where);
+
+// Paths of meshes and depth maps in the file are relative to its folder.
+Session readSession(const std::filesystem::path& file);
+void writeSession(const Session& session, const std::filesystem::path& file);
+
+}  // namespace umbra
