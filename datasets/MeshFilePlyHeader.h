@@ -1,0 +1,40 @@
+// The header of a PLY file.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace umbra::meshfile {
+
+enum class PlyFormat { Ascii, LittleEndian, BigEndian };
+
+struct PlyType {
+  std::string name;
+  int bytes = 0;
+  bool real = false, isSigned = true;
+};
+
+struct PlyProperty {
+  std::string name;
+  PlyType type;
+  std::optional<PlyType> count;  // a list: the type of its length
+};
+
+struct PlyElement {
+  std::string name;
+  std::uint64_t count = 0;
+  std::vector<PlyProperty> properties;
+};
+
+struct PlyHeader {
+  PlyFormat format = PlyFormat::Ascii;
+  std::vector<PlyElement> elements;
+};
+
+// Takes the header off `rest`. Throws BadInput that names file and line.
+PlyHeader readPlyHeader(std::string_view& rest, const std::string& file);
+
+}  // namespace umbra::meshfile

@@ -1,0 +1,61 @@
+#include "datasets/ModelStage.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "datasets/scenes/Scenes.h"
+
+namespace umbra {
+namespace {
+
+using Eigen::Vector3d;
+
+// Towards a point `right` degrees from +z and `up` degrees above the horizon.
+Vector3d towards(double right, double up) {
+  const double a = right * std::numbers::pi / 180.0, b = up * std::numbers::pi / 180.0;
+  return {std::sin(a) * std::cos(b), std::sin(b), std::cos(a) * std::cos(b)};
+}
+
+Eigen::AlignedBox3d boundsOf(const std::vector<SceneObject>& objects) {
+  Eigen::AlignedBox3d box;
+  for (const SceneObject& object : objects) box.extend(object.mesh.bounds());
+  return box;
+}
+
+}  // namespace
+
+Scene stagedScene(std::vector<SceneObject> objects, const Stage& stage) {
+  for (SceneObject& object : objects)
+    object.mesh = scenes::transformed(object.mesh, scenes::turned(stage.turn));
+  const Eigen::AlignedBox3d box = boundsOf(objects);
+  const double longest = box.sizes().maxCoeff(), scale = longest > 0.0 ? stage.size / longest : 1.0;
+  const Vector3d foot(box.center().x(), box.min().y(), box.center().z());
+  Scene scene;
+  for (SceneObject& object : objects) {
+    // In double: the file's unit may be anything that a float holds.
+    for (Eigen::Vector3f& p : object.mesh.positions)
+      p = (scale * (p.cast<double>() - foot)).cast<float>();
+    scene.objects.push_back(std::move(object));
+  }
+
+  // The ground reaches as far as the shadow, so that the light's frame holds it.
+  const Vector3d half = 0.5 * scale * box.sizes(), sun = towards(stage.sunFrom, stage.sunUp);
+  const Vector3d reach = -2.0 * half.y() * sun / std::max(sun.y(), 0.2);  // of the top's shadow
+  const double margin = 0.35;
+  const Vector3d shadow(0.5 * reach.x(), 0.0, 0.5 * reach.z());
+  scenes::addGround(scene, shadow, half.x() + 0.5 * std::abs(reach.x()) + margin,
+                    half.z() + 0.5 * std::abs(reach.z()) + margin, scenes::colours::sand,
+                    scenes::colours::stone);
+  const Vector3d target(0.35 * shadow.x(), 0.85 * half.y(), 0.35 * shadow.z());
+  scene.light = scenes::sun(target + 10.0 * sun, target);
+
+  // A sphere round the model and half of its shadow fills the view's height or width (16:9).
+  const double viewAngle = 30.0;
+  const double radius = (half + 0.25 * reach.cwiseAbs()).norm();
+  const double distance = 0.92 * radius / std::sin(0.5 * viewAngle * std::numbers::pi / 180.0);
+  scene.camera = scenes::lookFrom(target + distance * towards(stage.viewFrom, stage.viewUp), target,
+                                  viewAngle);
+  return scene;
+}
+
+}  // namespace umbra
