@@ -1,6 +1,7 @@
 #include "ui/LightHandle.h"
 
 #include <QRectF>
+#include <algorithm>
 #include <cmath>
 
 namespace umbra {
@@ -29,10 +30,13 @@ void LightHandle::place(const Light& light, const Eigen::Vector3d& anchor,
     return point && room.contains(*point);
   };
   position_.reset();
-  if (!visible(0.0)) return;
-  double in = 0.0, out = 1.0;
-  if (visible(1.0)) in = 1.0;
-  for (int i = 0; i < 24 && in < 1.0; ++i) {
+  // The farthest of a hundred steps that is in the picture, then refined between it and the next.
+  constexpr int steps = 100;
+  int last = steps;
+  while (last > 0 && !visible(double(last) / steps)) --last;
+  if (last == 0) return;
+  double in = double(last) / steps, out = std::min(1.0, in + 1.0 / steps);
+  for (int i = 0; i < 16 && last < steps; ++i) {
     const double middle = 0.5 * (in + out);
     (visible(middle) ? in : out) = middle;
   }

@@ -16,7 +16,7 @@ class LightHandle {
   // `anchor` (world) is the point whose ray to the light is drawn: the probe's, or the target.
   void place(const Light& light, const Eigen::Vector3d& anchor, const SceneProjection& projection);
 
-  // Widget, logical pixels; none where even the anchor is out of the picture.
+  // Widget, logical pixels; none where the picture shows no part of the way to the light.
   std::optional<QPointF> position() const { return position_; }
   // World, where the handle is drawn.
   const Eigen::Vector3d& world() const { return world_; }

@@ -28,6 +28,7 @@ MainWindow::MainWindow(const Session& session, QWidget* parent)
       centre_(new CentrePane(controller_, *view_, *prober_)),
       modes_(new QActionGroup(this)),
       techniques_(new QActionGroup(this)),
+      sceneText_(new QLabel),
       frameText_(new QLabel),
       mapText_(new QLabel) {
   setObjectName("umbrascope");
@@ -35,6 +36,8 @@ MainWindow::MainWindow(const Session& session, QWidget* parent)
   setCentralWidget(centre_);
   makeDocks();
   makeActions();
+  sceneText_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  statusBar()->addWidget(sceneText_, 1);
   for (QLabel* label : {frameText_, mapText_}) {
     label->setFont(style::figures(label->font()));
     statusBar()->addPermanentWidget(label);
@@ -97,7 +100,11 @@ void MainWindow::refresh() {
                             .arg(session.source.kind == SourceKind::Catalogue
                                      ? style::text(session.source.name)
                                      : title));
-  const bool onScene = controller_.document().content.scene != nullptr;
+  const Scene* scene = controller_.document().content.scene.get();
+  const bool onScene = scene != nullptr;
+  sceneText_->setText(title + (onScene && !scene->figure.empty()
+                                   ? QStringLiteral(" · ") + style::text(scene->figure)
+                                   : QString()));
   for (QAction* action : modes_->actions()) {
     action->setChecked(action->data().toInt() == int(session.frame.view));
     action->setEnabled(onScene);

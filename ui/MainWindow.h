@@ -101,7 +101,7 @@ class MainWindow : public QMainWindow {
   QActionGroup *modes_, *techniques_;
   QToolButton* sceneButton_ = nullptr;
   QMenu *sceneMenu_ = nullptr, *exportMenu_ = nullptr;
-  QLabel *frameText_, *mapText_;
+  QLabel *sceneText_, *frameText_, *mapText_;
   bool probeNextFrame_ = true;  // a scene was opened and nobody has pointed at anything yet
 };
 

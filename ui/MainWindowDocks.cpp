@@ -45,6 +45,9 @@ void MainWindow::makeDocks() {
   addDock(tr("Visibility"), "curvesDock", &evidence_->curves(), Qt::RightDockWidgetArea);
   addDock(tr("Depths"), "histogramDock", &evidence_->histogram(), Qt::RightDockWidgetArea);
   addDock(tr("Distribution"), "cdfDock", &evidence_->cdf(), Qt::RightDockWidgetArea);
+  // One above the other they would make the smallest window taller than a projector.
+  tabifyDockWidget(docks_[3], docks_[4]);
+  tabifyDockWidget(docks_[3], docks_[5]);
 }
 
 QDockWidget* MainWindow::addDock(const QString& title, const QString& name, QWidget* content,
@@ -84,7 +87,7 @@ void MainWindow::resetLayout() {
   for (QDockWidget* dock : docks_) dock->show();
   (tall ? histogram : curves)->raise();
 
-  const int side = width() < 1500 ? 250 : 290, right = width() * 35 / 100;
+  const int side = width() < 1500 ? 268 : 290, right = width() * 35 / 100;
   resizeDocks({controls, map}, {side, right}, Qt::Horizontal);
   resizeDocks({table}, {tall ? 335 : 215}, Qt::Vertical);
   const int rest = height() - 110;

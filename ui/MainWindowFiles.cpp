@@ -58,7 +58,7 @@ void MainWindow::openFile(const fs::path& file) {
 }
 
 void MainWindow::saveSession(const fs::path& file) {
-  writeTextAtomically(file, sessionToText(sessionToSave()));
+  writeSession(sessionToSave(), file);
 }
 
 void MainWindow::savePicture(const fs::path& file) {

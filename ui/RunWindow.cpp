@@ -1,9 +1,7 @@
 #include "ui/RunWindow.h"
 
-#include <QVTKOpenGLNativeWidget.h>
 #include <QApplication>
-#include <QSurfaceFormat>
-#include <exception>
+#include <memory>
 
 #include "filters/core/Error.h"
 #include "ui/MainWindow.h"
@@ -11,22 +9,6 @@
 #include "ui/WindowStyle.h"
 
 namespace umbra {
-namespace {
-
-// Before the application exists: it fixes how every OpenGL context is made.
-void prepareApplication() {
-  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
-  format.setSamples(0);
-  QSurfaceFormat::setDefaultFormat(format);
-#if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
-  QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
-  QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
-#endif
-  QCoreApplication::setOrganizationName("Umbrascope");
-  QCoreApplication::setApplicationName("Umbrascope");
-}
-
-}  // namespace
 
 int runWindow(int& argc, char** argv, const Session& session) {
   prepareApplication();

@@ -101,9 +101,9 @@ void SceneOverlay::drawPatch(QPainter& painter) const {
                    QColor(style::probe.red(), style::probe.green(), style::probe.blue(), 0x30));
   drawOutlined(painter, path, QPen(style::probe, 1.8));
   if (const auto centre = contents_.projection.toWidget(*report->point)) {
-    painter.setPen(QPen(Qt::white, 1.2));
-    painter.setBrush(style::probe);
-    painter.drawEllipse(*centre, 3.6, 3.6);
+    painter.setPen(QPen(style::probe, 1.0));
+    painter.setBrush(Qt::white);
+    painter.drawEllipse(*centre, 2.0, 2.0);
   }
 }
 

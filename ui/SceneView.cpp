@@ -106,17 +106,19 @@ void SceneView::showDocument(const Document& document, const Technique& techniqu
   const Camera camera = session.camera.value_or(scene->camera);
   if (newScene) shadow_->setScene(scene);
   if (newMap) shadow_->setLight(lightOf(document));
-  if (newScene || differ(camera, shadow_->camera())) shadow_->setCamera(camera);
+  const bool newCamera = newScene || differ(camera, shadow_->camera());
+  if (newCamera) shadow_->setCamera(camera);
   shadow_->setFrame(session.frame);
   if (newTechnique) {
     shadow_->setTechnique(technique);
     technique_ = technique.clone();
   }
+  // What the picture does not show, such as the probe, costs no frame.
+  stale_ = stale_ || newChannels || newCamera || !(session.frame == shown_.session.frame);
   shown_ = document;
   contents_.light = lightOf(document);
-  stale_ = true;
   refreshOverlay();
-  update();
+  if (stale_) update();
 }
 
 void SceneView::setReport(const std::optional<ProbeReport>& report, const QString& heading,

@@ -35,6 +35,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   // Where a world point is seen, hidden or not.
   std::optional<Pixel> pixelOf(const Eigen::Vector3d& world) const;
 
+  const LightHandle& lightHandle() const { return overlay_->handle(); }
+
   // Of the last frame; null before the first one.
   ShadowRenderer* lastFrame() { return drawn_ ? shadow_.get() : nullptr; }
   std::optional<SurfacePoint> surfaceAt(const Pixel& pixel);
@@ -43,6 +45,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   // Equal numbers mean equal depth maps, and equal channels.
   int mapRevision() const { return mapRevision_; }
   int channelsRevision() const { return channelsRevision_; }
+  // Whether the last frame shows all that was asked for.
+  bool upToDate() const { return drawn_ && !stale_; }
   double framePeriod() const { return framePeriod_; }  // milliseconds, of the last frame
 
  signals:

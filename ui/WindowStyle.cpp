@@ -1,8 +1,10 @@
 #include "ui/WindowStyle.h"
 
+#include <QVTKOpenGLNativeWidget.h>
 #include <QApplication>
 #include <QPalette>
 #include <QStyleFactory>
+#include <QSurfaceFormat>
 
 #include "ui/widgets/Style.h"
 
@@ -61,6 +63,18 @@ QString windowSheet() {
 }
 
 }  // namespace
+
+void prepareApplication() {
+  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+  format.setSamples(0);
+  QSurfaceFormat::setDefaultFormat(format);
+#if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
+  QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+#endif
+  QCoreApplication::setOrganizationName("Umbrascope");
+  QCoreApplication::setApplicationName("Umbrascope");
+}
 
 void applyStyle(QApplication& application) {
   application.setStyle(QStyleFactory::create("Fusion"));

@@ -5,6 +5,9 @@ class QApplication;
 
 namespace umbra {
 
+// Before the application is made: fixes its name and how OpenGL contexts are made.
+void prepareApplication();
+
 void applyStyle(QApplication& application);
 
 }  // namespace umbra

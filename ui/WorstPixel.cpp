@@ -60,8 +60,10 @@ std::optional<Pixel> worstBleeding(const Image<float>& surfaces, const Image<flo
   const SpotMeans bends(width, height, [&](int x, int y) { return bend(surfaces, x, y); });
   std::optional<Pixel> inUmbra, anywhere;
   double mostInUmbra = visible, most = visible;
-  for (int y = reach; y < height - reach; ++y)
-    for (int x = reach; x < width - reach; ++x) {
+  // Away from the border, so that there is something to see around the spot.
+  const int air = std::max(reach, std::min(width, height) / 12);
+  for (int y = air; y < height - air; ++y)
+    for (int x = air; x < width - air; ++x) {
       const double error = errors.about(x, y);
       if (error <= std::min(most, mostInUmbra) || bends.about(x, y) > smooth) continue;
       if (error > most) {

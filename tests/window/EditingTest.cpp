@@ -1,0 +1,161 @@
+// Changes: parameters, techniques, view, light, receiver, and their undoing.
+#include <QComboBox>
+#include <QDockWidget>
+#include <QSlider>
+#include <QTest>
+
+#include "tests/window/WindowTest.h"
+#include "ui/ControlPane.h"
+#include "ui/EvidencePanes.h"
+#include "ui/Prober.h"
+#include "ui/SceneView.h"
+#include "ui/widgets/ParameterForm.h"
+#include "ui/widgets/PlotPane.h"
+#include "ui/widgets/ShadowMapCanvas.h"
+#include "ui/widgets/ShadowMapView.h"
+#include "ui/widgets/TechniqueList.h"
+
+namespace umbra {
+namespace {
+
+QSlider* sliderOf(MainWindow& window, const char* parameter) {
+  return window.controls().parameters().findChild<QWidget*>(parameter)->findChild<QSlider*>();
+}
+
+}  // namespace
+
+void WindowTest::aParameterChangeIsUndoneAndRedone() {
+  MainWindow& window = open();
+  const double before = result("vsm").visibility;
+  QSlider* slider = sliderOf(window, "bleed-reduction");
+  slider->setValue(slider->maximum() / 4);
+  settle();
+  const auto& parameters = window.controller().session().parameters;
+  const double a = std::get<double>(parameters.at("vsm").at("bleed-reduction"));
+  QVERIFY(a > 0.0 && a < 1.0);
+  // Lauritzen 2008, §3.4.
+  const double expected = std::clamp((before - a) / (1.0 - a), 0.0, 1.0);
+  QVERIFY(std::abs(result("vsm").visibility - expected) < 1e-12);
+  // The frame was drawn again with the parameter: in 32 bits, as the table's GPU column shows.
+  QVERIFY(result("vsm").gpu.has_value());
+
+  key(Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(!window.controller().session().parameters.contains("vsm"));
+  QCOMPARE(result("vsm").visibility, before);
+  QCOMPARE(slider->value(), slider->minimum());
+  key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  QVERIFY(std::abs(result("vsm").visibility - expected) < 1e-12);
+}
+
+void WindowTest::aSliderDragIsOneStep() {
+  MainWindow& window = open();
+  QUndoStack& undo = window.controller().undoStack();
+  QSlider* slider = sliderOf(window, "bleed-reduction");
+  for (int i = 1; i <= 5; ++i) slider->setValue(slider->maximum() * i / 10);
+  QCOMPARE(undo.count(), 1);
+  emit window.controls().parameters().editingFinished("bleed-reduction");
+  slider->setValue(slider->maximum() / 10);
+  QCOMPARE(undo.count(), 2);
+  settle();
+}
+
+void WindowTest::digitsSwitchTechniques() {
+  MainWindow& window = open();
+  const auto all = window.controller().catalogue().all();
+  for (int digit : {0, 3, 1}) {
+    key(Qt::Key_0 + digit);
+    const std::string id(all[std::size_t(digit)]->info().id);
+    QCOMPARE(window.controller().session().technique, id);
+    QCOMPARE(window.controls().techniques().current().toStdString(), id);
+    // The frame has used it.
+    QVERIFY(result(id.c_str()).gpu.has_value());
+  }
+}
+
+void WindowTest::keysSwitchTheView() {
+  MainWindow& window = open();
+  const auto picture = [&] { return window.view().grabFramebuffer(); };
+  const QImage shaded = picture();
+  std::vector<QImage> seen{shaded};
+  const std::pair<int, ViewMode> modes[] = {{Qt::Key_F3, ViewMode::Visibility},
+                                            {Qt::Key_F4, ViewMode::Error},
+                                            {Qt::Key_F5, ViewMode::Depth}};
+  for (const auto& [shortcut, mode] : modes) {
+    key(shortcut);
+    QVERIFY(window.controller().session().frame.view == mode);
+    const QImage image = picture();
+    for (const QImage& other : seen) QVERIFY(image != other);
+    seen.push_back(image);
+  }
+  key(Qt::Key_F2);
+  QCOMPARE(picture(), shaded);
+}
+
+void WindowTest::draggingTheSunMovesTheLight() {
+  MainWindow& window = open();
+  const Light before = window.controller().document().content.scene->light;
+  const auto sun = window.view().lightHandle().position();
+  QVERIFY(sun.has_value());
+  mouse(QEvent::MouseButtonPress, *sun, Qt::LeftButton, Qt::LeftButton);
+  for (int i = 1; i <= 3; ++i)
+    mouse(QEvent::MouseMove, *sun + QPointF(-15.0 * i, 4.0 * i), Qt::NoButton, Qt::LeftButton);
+  mouse(QEvent::MouseButtonRelease, *sun + QPointF(-45.0, 12.0), Qt::LeftButton, Qt::NoButton);
+  settle();
+  QVERIFY(window.controller().session().light.has_value());
+  const Light after = *window.controller().session().light;
+  QVERIFY((after.position - before.position).norm() > 0.01 * before.position.norm());
+  if (before.kind == LightKind::Directional) {
+    const double distance = (before.position - before.target).norm();
+    QVERIFY(std::abs((after.position - after.target).norm() - distance) < 1e-9 * distance);
+  }
+  QCOMPARE(window.controller().undoStack().count(), 1);
+  QVERIFY(!window.controller().session().camera);  // the camera stood still
+  key(Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(!window.controller().session().light);
+}
+
+void WindowTest::draggingTheReceiverIsStudiedUntilReset() {
+  MainWindow& window = open();
+  const double own = window.prober().report()->probe.receiver;
+  emit window.evidence().curves().depthDragged(0.9);
+  emit window.evidence().curves().depthDragged(0.95);
+  emit window.evidence().curves().depthDragFinished();
+  settle();
+  QCOMPARE(window.prober().report()->probe.receiver, 0.95);
+  QVERIFY(window.prober().report()->receiverByHand);
+  QVERIFY(!result("vsm").gpu);  // the frame knows nothing of that depth
+  QCOMPARE(window.controller().undoStack().count(), 1);
+  key(Qt::Key_R);
+  QCOMPARE(window.prober().report()->probe.receiver, own);
+}
+
+void WindowTest::aMapChannelCanBeLookedAt() {
+  MainWindow& window = open();
+  ShadowMapView& map = window.evidence().map();
+  const Region& region = window.prober().report()->probe.region;
+  const QPoint texel(region.x, region.y);
+  QCOMPARE(double(map.canvas()->valueAt(texel)), region.nearestDepth);
+  auto* channels = map.findChild<QComboBox*>();
+  channels->setFocus();
+  QTest::keyClick(channels, Qt::Key_Down);
+  QCOMPARE(map.currentChannel(), QString("M1 filtered"));
+  const Image<float> filtered = window.view().lastFrame()->channels(BakeStage::Prefiltered);
+  QCOMPARE(map.canvas()->valueAt(texel), filtered(texel.x(), texel.y(), 0));
+}
+
+void WindowTest::aDockFloatsAndComesBack() {
+  MainWindow& window = open();
+  for (QDockWidget* dock : window.docks()) {
+    dock->setFloating(true);
+    dock->show();
+    QTest::qWait(20);
+    QVERIFY(dock->isFloating() && dock->isVisible());
+  }
+  settle();
+  window.resetLayout();
+  key(Qt::Key_3);
+  for (QDockWidget* dock : window.docks()) QVERIFY(!dock->isFloating());
+  QVERIFY(result("esm").gpu.has_value());
+}
+
+}  // namespace umbra

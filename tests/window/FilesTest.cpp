@@ -1,0 +1,146 @@
+// What the window reads, writes and remembers.
+#include <QDockWidget>
+#include <QFile>
+#include <QImage>
+#include <QTest>
+#include <random>
+
+#include "datasets/DepthFile.h"
+#include "filters/core/Error.h"
+#include "tests/window/WindowTest.h"
+#include "ui/CentrePane.h"
+#include "ui/EvidencePanes.h"
+#include "ui/MessageBanner.h"
+#include "ui/Prober.h"
+#include "ui/SceneView.h"
+#include "ui/WindowMemory.h"
+#include "ui/widgets/PlotPane.h"
+#include "ui/widgets/ShadowMapView.h"
+
+namespace umbra {
+namespace {
+
+QByteArray contentsOf(const QString& file) {
+  QFile opened(file);
+  return opened.open(QIODevice::ReadOnly) ? opened.readAll() : QByteArray();
+}
+
+}  // namespace
+
+void WindowTest::pictureAndPlotsAreWritten() {
+  MainWindow& window = open();
+  const QString picture = folder_.filePath("picture.png");
+  window.savePicture(picture.toStdString());
+  const QImage image(picture);
+  QCOMPARE(image.size(), window.view().pixels());
+  QVERIFY(image.convertToFormat(QImage::Format_Indexed8).colorCount() > 16);
+
+  for (PlotPane* pane : window.evidence().plots()) {
+    const QString name = folder_.filePath(QString::fromStdString(pane->plot()->name));
+    for (const char* extension : {".svg", ".pdf", ".png", ".csv"})
+      pane->save((name + extension).toStdString());
+    QVERIFY(contentsOf(name + ".svg").contains("<svg"));
+    QVERIFY(contentsOf(name + ".pdf").startsWith("%PDF"));
+    QVERIFY(!QImage(name + ".png").isNull());
+    QVERIFY(contentsOf(name + ".csv").count('\n') > 2);
+  }
+  QVERIFY(contentsOf(folder_.filePath("curves.svg")).contains("VSM"));
+
+  const std::filesystem::path nowhere = folder_.filePath("picture.png/in-a-file.png").toStdString();
+  QVERIFY_EXCEPTION_THROWN(window.savePicture(nowhere), Error);
+  QCOMPARE(QImage(picture), image);
+}
+
+void WindowTest::aBadFileLeavesTheSceneOpen() {
+  MainWindow& window = open();
+  const Document before = window.controller().document();
+  for (const char* name : {"broken.obj", "broken.exr", "broken.json", "broken.txt"}) {
+    const QString file = folder_.filePath(name);
+    QFile written(file);
+    QVERIFY(written.open(QIODevice::WriteOnly));
+    written.write("this is none of them\n");
+    written.close();
+    window.centre().banner().dismiss();
+    window.openFile(file.toStdString());
+    QTRY_VERIFY(window.centre().banner().text().contains(name));
+    QVERIFY(window.controller().document().content == before.content);
+    QVERIFY(window.controller().session() == before.session);
+  }
+  QVERIFY(!window.controller().undoStack().canUndo());
+}
+
+void WindowTest::anotherSceneOpensAndUndoBringsTheFirstBack() {
+  MainWindow& window = open();
+  const Document before = window.controller().document();
+  SceneSource source;
+  source.name = "three-planes";
+  window.controller().openSource(source);
+  QVERIFY(window.controller().loading());
+  QVERIFY(window.controller().document().content == before.content);
+  settle();
+  QCOMPARE(window.controller().document().content.scene->name, std::string("three-planes"));
+  QVERIFY(window.prober().report().has_value());
+  key(Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(window.controller().document().content == before.content);
+  QVERIFY(window.view().upToDate());
+}
+
+void WindowTest::aDepthFileIsProbedByTexel() {
+  MainWindow& window = open();
+  Image<float> depths(48, 32);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> any(0.0F, 1.0F);
+  for (float& depth : depths.values()) depth = any(random);
+  const QString file = folder_.filePath("depths.exr");
+  writeExr(file.toStdString(), {{"Z", depths}}, {});
+  window.openFile(file.toStdString());
+  QTRY_VERIFY(window.controller().document().content.depth != nullptr);
+  QVERIFY(window.centre().depthView().isVisible());
+  emit window.centre().depthView().texelClicked(5, 20);
+  window.controller().edit("receiver", [](Session& session) { session.receiver = 0.4; });
+  const auto& report = window.prober().report();
+  QVERIFY(report.has_value());
+  // Counted by hand: the default kernel is a box of seven by seven.
+  int behind = 0;
+  for (int y = 17; y <= 23; ++y)
+    for (int x = 2; x <= 8; ++x) behind += double(depths(x, y)) >= 0.4;
+  QVERIFY(std::abs(report->probe.reference - behind / 49.0) < 1e-12);
+  QCOMPARE(report->probe.receiver, 0.4);
+}
+
+void WindowTest::aRestartBringsSessionAndLayoutBack() {
+  Session session;
+  session.source.name = "three-planes";
+  MainWindow& first = open(session);
+  const std::optional<Eigen::Vector3d> point = first.prober().report()->point;
+  first.controller().edit("several", [](Session& s) {
+    s.technique = "esm";
+    s.frame.kernel = {KernelShape::Gaussian, 5, 0.0};
+    s.parameters["esm"]["exponent"] = 40.0;
+  });
+  first.resize(1400, 850);
+  first.docks()[1]->hide();
+  settle();
+  rememberWindow(first);
+  const Session saved = first.sessionToSave();
+  const QRect place = first.geometry();
+  window_.reset();
+
+  const auto last = lastSession();
+  QVERIFY(last.has_value());
+  QVERIFY(*last == saved);
+  window_ = std::make_unique<MainWindow>(*last);
+  restoreWindow(*window_);
+  window_->show();
+  settle();
+  QCOMPARE(window_->geometry(), place);
+  QVERIFY(window_->docks()[1]->isHidden());
+  QVERIFY(window_->docks()[0]->isVisible());
+  QCOMPARE(window_->controller().session().technique, std::string("esm"));
+  // The same point of the scene is probed.
+  const auto& report = window_->prober().report();
+  QVERIFY(report && report->pinned && point);
+  QVERIFY((*report->point - *point).norm() < 0.05 * (1.0 + point->norm()));
+}
+
+}  // namespace umbra

@@ -1,0 +1,57 @@
+// The window as a person uses it.
+#pragma once
+
+#include <QEvent>
+#include <QObject>
+#include <QTemporaryDir>
+#include <memory>
+
+#include "ui/MainWindow.h"
+#include "ui/ProbeReport.h"
+
+namespace umbra {
+
+class WindowTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase();
+  void cleanup();
+
+  void theFirstFrameShowsWhereLightBleeds();
+  void theTableAgreesWithTheAnalysis();
+  void hoveringProbesAndLeavingKeepsTheProbe();
+  void aPinnedProbeStaysOnItsPoint();
+  void aParameterChangeIsUndoneAndRedone();
+  void aSliderDragIsOneStep();
+  void digitsSwitchTechniques();
+  void keysSwitchTheView();
+  void draggingTheSunMovesTheLight();
+  void draggingTheReceiverIsStudiedUntilReset();
+  void aMapChannelCanBeLookedAt();
+  void aDockFloatsAndComesBack();
+  void pictureAndPlotsAreWritten();
+  void aBadFileLeavesTheSceneOpen();
+  void anotherSceneOpensAndUndoBringsTheFirstBack();
+  void aDepthFileIsProbedByTexel();
+  void aRestartBringsSessionAndLayoutBack();
+  void theSmallestScreenHoldsEverything();
+
+ private:
+  // A window of 1300 × 800 on the session, its first frame drawn.
+  MainWindow& open(const Session& session = {});
+  // Waits until the last frame shows the present session and every pane follows it.
+  void settle();
+  void mouse(QEvent::Type type, const QPointF& point, Qt::MouseButton button,
+             Qt::MouseButtons buttons);
+  void click(const Pixel& pixel);
+  void key(int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
+  QPointF pointOf(const Pixel& pixel);
+  // The result of technique `id` in the present report.
+  const TechniqueResult& result(const char* id);
+
+  QTemporaryDir folder_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+}  // namespace umbra
