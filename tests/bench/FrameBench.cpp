@@ -25,6 +25,12 @@ namespace {
 
 constexpr int mapSize = 1024;
 
+// GPU milliseconds of each pass of the last frame.
+void countPasses(benchmark::State& state, const ShadowRenderer& renderer) {
+  for (const PassTime& time : renderer.passTimes())
+    state.counters[time.pass + "_ms"] = time.milliseconds;
+}
+
 struct Stage {
   explicit Stage(const char* technique, int radius = 3)
       : window(makeHeadlessWindow(1280, 720)), renderer(*window) {
@@ -61,6 +67,7 @@ void cameraMoves(benchmark::State& state, const char* technique) {
     stage.renderer.render();
     glFinish();
   }
+  countPasses(state, stage.renderer);
 }
 
 void lightMoves(benchmark::State& state, const char* technique) {
@@ -70,6 +77,7 @@ void lightMoves(benchmark::State& state, const char* technique) {
     stage.renderer.render();
     glFinish();
   }
+  countPasses(state, stage.renderer);
 }
 
 void vtkAlone(benchmark::State& state, bool shadows) {
@@ -102,6 +110,7 @@ void vtkAlone(benchmark::State& state, bool shadows) {
     stage.window->Render();
     glFinish();
   }
+  sequence->ReleaseGraphicsResources(stage.window);
   renderer.SetPass(nullptr);
 }
 
