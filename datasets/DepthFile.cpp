@@ -30,48 +30,70 @@ constexpr int largestSide = 16384;
   throw Error(ErrorKind::BadInput, file.string() + ": " + what);
 }
 
-std::vector<std::string> channelNames(const Imf::Header& header) {
-  std::vector<std::string> names;
-  for (auto c = header.channels().begin(); c != header.channels().end(); ++c)
-    names.emplace_back(c.name());
-  return names;
+// A channel of one part of the file. `title` is what viewers show: "part.channel" where the file
+// has several parts.
+struct ChannelPlace {
+  int part = 0;
+  std::string name, title;
+};
+
+std::vector<ChannelPlace> channelsOf(const fs::path& file, const Imf::MultiPartInputFile& input) {
+  std::vector<ChannelPlace> places;
+  for (int part = 0; part < input.parts(); ++part) {
+    const Imf::Header& header = input.header(part);
+    if (header.hasType() && Imf::isDeepData(header.type()))
+      refuse(file, "is a deep file; a depth map has one value per pixel");
+    const std::string prefix =
+        input.parts() > 1 && header.hasName() ? header.name() + "." : std::string();
+    for (auto c = header.channels().begin(); c != header.channels().end(); ++c)
+      places.push_back({part, c.name(), prefix + c.name()});
+  }
+  return places;
 }
 
-std::string channelToRead(const fs::path& file, const Imf::Header& header,
-                          const std::string& wanted) {
-  const std::vector<std::string> names = channelNames(header);
-  const auto has = [&](const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-  };
-  std::string name = wanted.empty() ? "Z" : wanted;
-  if (wanted.empty() && !has(name) && names.size() == 1) name = names.front();
-  if (!has(name))
-    refuse(file, "there is no channel '" + name + "'; there are " + joined(names) +
-                     (wanted.empty() ? ": name one as FILE.exr:CHANNEL" : ""));
-  const Imf::Channel& channel = header.channels()[name.c_str()];
-  if (channel.type == Imf::UINT)
-    refuse(file, "channel '" + name + "' holds whole numbers; a depth is half or float");
-  if (channel.xSampling != 1 || channel.ySampling != 1)
-    refuse(file, "channel '" + name + "' is subsampled; a depth has one value per pixel");
-  return name;
+ChannelPlace channelToRead(const fs::path& file, const std::vector<ChannelPlace>& places,
+                           const std::string& wanted) {
+  if (wanted.empty() && places.size() == 1) return places.front();
+  const std::string name = wanted.empty() ? "Z" : wanted;
+  for (const ChannelPlace& place : places)
+    if (place.title == name) return place;
+  for (const ChannelPlace& place : places)
+    if (place.name == name) return place;
+  std::vector<std::string> titles;
+  for (const ChannelPlace& place : places) titles.push_back(place.title);
+  refuse(file, "there is no channel '" + name + "'; there are " + joined(titles) +
+                   (wanted.empty() ? ": name one as FILE.exr:CHANNEL" : ""));
+}
+
+// What no file of that length can hold is not allocated for. Only the DCT compressions store more
+// than deflate's 1032 bytes in one; a pixel takes two bytes or more.
+void checkSize(const fs::path& file, const Imf::Header& header, std::int64_t width,
+               std::int64_t height) {
+  const Imf::Compression compression = header.compression();
+  if (compression == Imf::DWAA_COMPRESSION || compression == Imf::DWAB_COMPRESSION) return;
+  const auto bytes = std::int64_t(fs::file_size(file));
+  if (2 * width * height > 1100 * bytes)
+    refuse(file, "promises " + std::to_string(width) + " × " + std::to_string(height) +
+                     " pixels, which its " + std::to_string(bytes) + " bytes cannot hold");
 }
 
 Image<float> readChannel(const fs::path& file, const std::string& wanted) {
   Imf::MultiPartInputFile input(file.c_str());
-  const bool several = input.parts() > 1;
-  for (int part = 0; part < input.parts(); ++part)
-    if (input.header(part).hasType() && Imf::isDeepData(input.header(part).type()))
-      refuse(file, "is a deep file; a depth map has one value per pixel");
-  if (several) refuse(file, "has several parts; a depth map is one");
-  const Imf::Header& header = input.header(0);
-  const std::string channel = channelToRead(file, header, wanted);
+  const ChannelPlace place = channelToRead(file, channelsOf(file, input), wanted);
+  const Imf::Header& header = input.header(place.part);
+  const Imf::Channel& channel = header.channels()[place.name.c_str()];
+  if (channel.type == Imf::UINT)
+    refuse(file, "channel '" + place.title + "' holds whole numbers; a depth is half or float");
+  if (channel.xSampling != 1 || channel.ySampling != 1)
+    refuse(file, "channel '" + place.title + "' is subsampled; a depth has one value per pixel");
   const Imath::Box2i window = header.dataWindow();
   const int width = window.max.x - window.min.x + 1, height = window.max.y - window.min.y + 1;
+  checkSize(file, header, width, height);
   Image<float> image(width, height);
   // OpenEXR addresses pixels from the data window's origin, wherever it lies.
   Imf::FrameBuffer frame;
-  frame.insert(channel, Imf::Slice::Make(Imf::FLOAT, image.values().data(), window));
-  Imf::InputPart part(input, 0);
+  frame.insert(place.name, Imf::Slice::Make(Imf::FLOAT, image.values().data(), window));
+  Imf::InputPart part(input, place.part);
   part.setFrameBuffer(frame);
   part.readPixels(window.min.y, window.max.y);
   return image;

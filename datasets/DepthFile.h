@@ -11,9 +11,9 @@
 namespace umbra {
 
 // The channel `channel` ("" is Z, else the only one) of `file`, values taken from [near, far] to
-// [0, 1] in double. Float or half, tiled or scan lines; deep files are refused. Throws BadInput
-// that names the file and what is wrong: the channels that there are, or the texel of a value that
-// is not finite or outside the range.
+// [0, 1] in double. Float or half, tiled or scan lines, of a file with several parts also as
+// "part.channel"; deep files are refused. Throws BadInput that names the file and what is wrong:
+// the channels that there are, or the texel of a value that is not finite or outside the range.
 DepthMap readDepthFile(const std::filesystem::path& file, const std::string& channel = "",
                        double near = 0.0, double far = 1.0);
 
