@@ -23,6 +23,9 @@ struct SceneEntry {
 SceneEntry treeBench();
 SceneEntry threePlanes();
 SceneEntry twoPlanes();
+SceneEntry spheres();
+SceneEntry fence();
+SceneEntry windmill();
 
 // What scenes share.
 Light sun(const Vector3d& position, const Vector3d& target = Vector3d::Zero());
