@@ -36,8 +36,10 @@ Mesh readMeshFile(const fs::path& file, MeshReport* report) {
   std::string extension = file.extension().string();
   for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
   const meshfile::RawMesh raw = meshfile::readMesh(contentOf(file), extension, file.string());
-  say(file, raw.report);
-  if (report) *report = raw.report;
+  if (report)
+    *report = raw.report;
+  else
+    say(file, raw.report);
   return meshfile::withItsNormals(raw);
 }
 

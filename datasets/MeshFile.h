@@ -7,9 +7,10 @@
 
 namespace umbra {
 
+// Logged as a warning where faces were dropped and the caller does not ask for it.
 struct MeshReport {
   std::size_t degenerateFaces = 0, nonFiniteFaces = 0;  // dropped
-  bool normalsComputed = false;
+  bool normalsComputed = false;                         // where absent, or several at one vertex
 };
 
 // Centred, scaled to a height or width of about 4 and set on the ground, with light and camera

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "datasets/MeshFileImporter.h"
+#include "datasets/MeshFilePolygon.h"
 #include "datasets/MeshFileText.h"
 #include "datasets/MeshNormals.h"
 
@@ -99,8 +100,11 @@ class Triangulation {
       return;
     }
     bool any = false;
-    for (std::size_t i = 2; i < face.size(); ++i) {
-      const Triangle t{std::uint32_t(face[0]), std::uint32_t(face[i - 1]), std::uint32_t(face[i])};
+    std::vector<Eigen::Vector3d> corners;
+    for (std::int32_t v : face) corners.push_back(raw.positions[std::size_t(v)].cast<double>());
+    for (const Triangle& cut : triangulated(corners)) {
+      const Triangle t{std::uint32_t(face[cut[0]]), std::uint32_t(face[cut[1]]),
+                       std::uint32_t(face[cut[2]])};
       if (!hasArea(raw.positions, t)) continue;
       any = true;
       raw.triangles.push_back(t);
