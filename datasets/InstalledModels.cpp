@@ -1,0 +1,141 @@
+#include "datasets/InstalledModels.h"
+
+#include <array>
+
+#include "datasets/ArchiveFile.h"
+#include "datasets/MaterialFile.h"
+#include "datasets/MeshFileReader.h"
+#include "datasets/ModelStage.h"
+#include "filters/core/Error.h"
+
+namespace umbra {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* collection = "BlendSwap-CC-0.sh3f";
+constexpr const char* toInstall = "install the Debian package sweethome3d-furniture";
+
+struct Model {
+  const char *name, *entry, *title, *description, *figure;
+  Stage stage;
+};
+
+const std::array<Model, 6>& models() {
+  static const std::array<Model, 6> all{
+      {{"truck",
+        "peterbilt",
+        "Truck with a trailer",
+        "A long body close to the ground: contact shadows under wheels and chassis,\nwith the "
+        "trailer's edge high above them. Look between the wheels.",
+        "Gumbau et al. 2011, table 1 (its car)",
+        {.size = 6.0, .viewFrom = 52.0, .viewUp = 16.0, .sunFrom = -15.0, .sunUp = 50.0}},
+       {"picket-fence",
+        "fence",
+        "Picket fence",
+        "Thin pickets with gaps of their own width: the shadow's detail is finer than\nmany a "
+        "filter, and pickets shadow each other's feet.",
+        "Annen et al. 2007, fig. 9",
+        {.size = 4.5, .viewFrom = 30.0, .viewUp = 24.0, .sunFrom = 160.0, .sunUp = 38.0}},
+       {"plant",
+        "decorativePlant",
+        "Pot plant",
+        "Leaves over leaves over a pot: many depths within one filter region.\nLook at the ground "
+        "in the middle of the shadow, where the pot hides the leaves' edges.",
+        "",
+        {.size = 4.0, .viewFrom = 20.0, .viewUp = 24.0, .sunFrom = -35.0, .sunUp = 55.0}},
+       {"fan",
+        "tableFan",
+        "Table fan",
+        "A cage of thin wires before blades before a housing: three shadows in one\nanother. Look "
+        "at the housing's shadow, where the cage's wires bleed through.",
+        "",
+        {.size = 4.0, .viewFrom = 38.0, .viewUp = 18.0, .sunFrom = 30.0, .sunUp = 42.0}},
+       {"staircase",
+        "spiralStaircase",
+        "Spiral staircase",
+        "Tread over tread around one pole: each is shadowed by all above it.\nLight bleeds through "
+        "the lower treads along the edges of the upper ones.",
+        "Lauritzen 2008, fig. 4.8 (its overlapping shadows)",
+        {.size = 5.0, .viewFrom = 25.0, .viewUp = 14.0, .sunFrom = -30.0, .sunUp = 66.0}},
+       {"motorbike",
+        "motorbike",
+        "Toy motorbike",
+        "Spokes, frame and handlebar over a ground close by: fine shadows that\nstart at contact "
+        "and soften within a filter's width.",
+        "",
+        {.size = 4.0, .viewFrom = 30.0, .viewUp = 20.0, .sunFrom = -35.0, .sunUp = 55.0}}}};
+  return all;
+}
+
+const Model* modelNamed(const std::string& name) {
+  for (const Model& model : models())
+    if (model.name == name) return &model;
+  return nullptr;
+}
+
+// One mesh for each material, in the order of first use, so that each has its own colour.
+std::vector<SceneObject> objectsOf(const meshfile::RawMesh& raw,
+                                   const std::map<std::string, Material>& materials) {
+  std::vector<SceneObject> objects;
+  for (std::size_t m = 0; m < raw.materials.size(); ++m) {
+    meshfile::RawMesh part;
+    part.positions = raw.positions;
+    part.normals = raw.normals;
+    for (std::size_t t = 0; t < raw.triangles.size(); ++t)
+      if (raw.triangleMaterials[t] == m) part.triangles.push_back(raw.triangles[t]);
+    if (part.triangles.empty()) continue;
+    SceneObject object;
+    object.name = raw.materials[m];
+    object.mesh = meshfile::withItsNormals(part);
+    const auto material = materials.find(raw.materials[m]);
+    if (material != materials.end()) object.material = material->second;
+    objects.push_back(std::move(object));
+  }
+  return objects;
+}
+
+}  // namespace
+
+fs::path installedModelsFolder() {
+  return "/usr/share/sweethome3d/furniture";
+}
+
+std::vector<SceneInfo> installedModelInfos(const fs::path& folder) {
+  std::error_code problem;
+  const bool there = fs::is_regular_file(folder / collection, problem);
+  std::vector<SceneInfo> infos;
+  for (const Model& model : models())
+    infos.push_back({.name = model.name,
+                     .title = model.title,
+                     .description = model.description,
+                     .figure = model.figure,
+                     .parameters = {},
+                     .missing = there ? "" : toInstall});
+  return infos;
+}
+
+bool isInstalledModel(const std::string& name) {
+  return modelNamed(name) != nullptr;
+}
+
+Scene makeInstalledModel(const std::string& name, const fs::path& folder) {
+  const Model* model = modelNamed(name);
+  if (!model) throw Error(ErrorKind::BadInput, "there is no installed model '" + name + "'");
+  const fs::path archive = folder / collection;
+  std::error_code problem;
+  if (!fs::is_regular_file(archive, problem))
+    throw Error(ErrorKind::BadInput, "scene " + name + ": " + toInstall);
+  const std::string base = std::string("blendswap-cc-0/") + model->entry + "/" + model->entry;
+  const std::vector<std::string> contents = readArchive(archive, {base + ".obj", base + ".mtl"});
+  const meshfile::RawMesh raw =
+      meshfile::readMesh(contents[0], ".obj", archive.string() + "/" + base + ".obj");
+  Scene scene = stagedScene(objectsOf(raw, materialsFrom(contents[1])), model->stage);
+  scene.name = model->name;
+  scene.title = model->title;
+  scene.description = model->description;
+  scene.figure = model->figure;
+  return scene;
+}
+
+}  // namespace umbra

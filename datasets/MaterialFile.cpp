@@ -1,0 +1,47 @@
+#include "datasets/MaterialFile.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "datasets/MeshFileText.h"
+
+namespace umbra {
+namespace {
+
+using namespace meshfile;
+
+std::optional<Eigen::Vector3d> colourFrom(std::string_view line) {
+  Eigen::Vector3d colour;
+  for (int i = 0; i < 3; ++i) {
+    const std::optional<float> value = realFrom(nextWord(line));
+    if (!value || !std::isfinite(*value)) return std::nullopt;
+    colour[i] = std::clamp(double(*value), 0.0, 1.0);
+  }
+  return colour;
+}
+
+}  // namespace
+
+std::map<std::string, Material> materialsFrom(const std::string& content) {
+  std::map<std::string, Material> materials;
+  Material* current = nullptr;
+  std::string_view rest = content;
+  while (auto line = nextLine(rest)) {
+    const std::string_view key = nextWord(*line);
+    if (key == "newmtl") {
+      current = &materials[std::string(nextWord(*line))];
+    } else if (current && (key == "Kd" || key == "Ks")) {
+      const std::optional<Eigen::Vector3d> colour = colourFrom(*line);
+      if (colour && key == "Kd") current->colour = *colour;
+      // A full highlight in the place of a mirror's picture would hide the shadows.
+      if (colour && key == "Ks") current->specular = 0.3 * colour->mean();
+    } else if (current && key == "Ns") {
+      const std::optional<float> value = realFrom(nextWord(*line));
+      if (value && std::isfinite(*value))
+        current->shininess = std::clamp<double>(*value, 1.0, 128.0);
+    }
+  }
+  return materials;
+}
+
+}  // namespace umbra

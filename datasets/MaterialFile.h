@@ -1,0 +1,15 @@
+// Colours out of the MTL files that accompany OBJ files.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "filters/core/Scene.h"
+
+namespace umbra {
+
+// Diffuse colour (Kd), strength and sharpness of the highlight (Ks, Ns) by name; all else is
+// skipped, and so is a line that cannot be understood. Colours are clamped to [0,1].
+std::map<std::string, Material> materialsFrom(const std::string& content);
+
+}  // namespace umbra
