@@ -62,6 +62,7 @@ void MainWindow::connectParts() {
             view_->showDocument(after, controller_.technique());
             evidence_->refreshMap();
             refresh();
+            if (view_->upToDate()) prober_->refresh();  // else after the frame that follows
           });
   connect(&controller_, &SessionController::loadingChanged, this, [this](bool loading) {
     if (loading) centre_->banner().showProgress(tr("Opening …"));

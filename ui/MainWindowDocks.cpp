@@ -70,10 +70,8 @@ void MainWindow::resetLayout() {
   QDockWidget *controls = dockOf("controlsDock"), *table = dockOf("tableDock"),
               *map = dockOf("mapDock"), *curves = dockOf("curvesDock"),
               *histogram = dockOf("histogramDock"), *cdf = dockOf("cdfDock");
-  for (QDockWidget* dock : docks_) {
-    removeDockWidget(dock);
-    dock->setFloating(false);
-  }
+  for (QDockWidget* dock : docks_) dock->setFloating(false);
+  for (QDockWidget* dock : docks_) removeDockWidget(dock);
   addDockWidget(Qt::LeftDockWidgetArea, controls);
   addDockWidget(Qt::BottomDockWidgetArea, table);
   addDockWidget(Qt::RightDockWidgetArea, map);

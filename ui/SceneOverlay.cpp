@@ -15,6 +15,8 @@ const QColor boxText{0xff, 0xff, 0xff};
 const QColor boxError{0xff, 0x9a, 0xa8};  // style::error, light enough to read on `box`
 const QColor boxCalm{0xc5, 0xcd, 0xd6};
 
+constexpr double smallestPatch = 14.0;  // logical pixels
+
 QPen dashedPen(double width) {
   QPen pen(style::probe, width);
   pen.setDashPattern({4.0, 3.0});
@@ -100,11 +102,18 @@ void SceneOverlay::drawPatch(QPainter& painter) const {
   painter.fillPath(path,
                    QColor(style::probe.red(), style::probe.green(), style::probe.blue(), 0x30));
   drawOutlined(painter, path, QPen(style::probe, 1.8));
-  if (const auto centre = contents_.projection.toWidget(*report->point)) {
-    painter.setPen(QPen(style::probe, 1.0));
-    painter.setBrush(Qt::white);
-    painter.drawEllipse(*centre, 2.0, 2.0);
+  const auto centre = contents_.projection.toWidget(*report->point);
+  if (!centre) return;
+  // A patch of a few pixels is easily missed: a ring says where to look.
+  const QRectF bounds = outline.boundingRect();
+  if (std::max(bounds.width(), bounds.height()) < smallestPatch) {
+    QPainterPath ring;
+    ring.addEllipse(*centre, 0.75 * smallestPatch, 0.75 * smallestPatch);
+    drawOutlined(painter, ring, QPen(style::probe, 1.6));
   }
+  painter.setPen(QPen(style::probe, 1.0));
+  painter.setBrush(Qt::white);
+  painter.drawEllipse(*centre, 2.0, 2.0);
 }
 
 void SceneOverlay::drawSun(QPainter& painter) const {

@@ -57,6 +57,14 @@ QString windowSheet() {
     QTabBar::tab:selected { color: %3; border-bottom: 2px solid %3; }
     QScrollArea { background: transparent; }
     QWidget#controls, QWidget#centre { background: transparent; }
+    QScrollBar:vertical { width: 9px; margin: 0; background: transparent; }
+    QScrollBar:horizontal { height: 9px; margin: 0; background: transparent; }
+    QScrollBar::handle { background: #cfd5dc; border-radius: 3px; margin: 1px 1px 1px 2px; }
+    QScrollBar::handle:vertical { min-height: 28px; }
+    QScrollBar::handle:horizontal { min-width: 28px; }
+    QScrollBar::handle:hover { background: #a5aeb8; }
+    QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
+    QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
     QToolTip { border: none; padding: 5px 7px; }
   )")
       .arg(style::border.name(), style::ground.name(), style::ink.name(), style::muted.name());

@@ -49,6 +49,16 @@ double bend(const Image<float>& surfaces, int x, int y) {
   return std::min(1.0, double(std::max(std::abs(across), std::abs(along))));
 }
 
+// The pixel with the largest error around the middle of a spot.
+Pixel worstOfSpot(const Image<float>& surfaces, const Image<float>& reference, Pixel middle) {
+  Pixel worst = middle;
+  const auto error = [&](int x, int y) { return surfaces(x, y, 3) - reference(x, y); };
+  for (int y = middle.y - reach; y <= middle.y + reach; ++y)
+    for (int x = middle.x - reach; x <= middle.x + reach; ++x)
+      if (error(x, y) > error(worst.x, worst.y)) worst = {x, y};
+  return worst;
+}
+
 }  // namespace
 
 std::optional<Pixel> worstBleeding(const Image<float>& surfaces, const Image<float>& reference) {
@@ -75,7 +85,8 @@ std::optional<Pixel> worstBleeding(const Image<float>& surfaces, const Image<flo
         inUmbra = Pixel{x, y};
       }
     }
-  return inUmbra ? inUmbra : anywhere;
+  if (!inUmbra && !anywhere) return std::nullopt;
+  return worstOfSpot(surfaces, reference, inUmbra ? *inUmbra : *anywhere);
 }
 
 }  // namespace umbra

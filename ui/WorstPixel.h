@@ -8,10 +8,10 @@
 
 namespace umbra {
 
-// `surfaces` and `reference` as ShadowRenderer gives them. The middle of the spot with the largest
-// mean error of visibility among those that are fully in shadow and on one smooth surface: light
-// that bleeds where a person can see it and point at it, not a stray pixel of a leaf. Where there
-// is no such spot, of those that are smooth only. None where no spot bleeds visibly.
+// `surfaces` and `reference` as ShadowRenderer gives them. The worst pixel of the spot with the
+// largest mean error of visibility among those that are fully in shadow and on one smooth surface:
+// light that bleeds where a person can see it and point at it, not a stray pixel of a leaf. Where
+// there is no such spot, of those that are smooth only. None where no spot bleeds visibly.
 std::optional<Pixel> worstBleeding(const Image<float>& surfaces, const Image<float>& reference);
 
 }  // namespace umbra

@@ -123,7 +123,7 @@ void WindowTest::aRestartBringsSessionAndLayoutBack() {
   settle();
   rememberWindow(first);
   const Session saved = first.sessionToSave();
-  const QRect place = first.geometry();
+  const QSize size = first.size();
   window_.reset();
 
   const auto last = lastSession();
@@ -133,7 +133,7 @@ void WindowTest::aRestartBringsSessionAndLayoutBack() {
   restoreWindow(*window_);
   window_->show();
   settle();
-  QCOMPARE(window_->geometry(), place);
+  QCOMPARE(window_->size(), size);  // its place is the window manager's
   QVERIFY(window_->docks()[1]->isHidden());
   QVERIFY(window_->docks()[0]->isVisible());
   QCOMPARE(window_->controller().session().technique, std::string("esm"));
