@@ -10,8 +10,8 @@ namespace {
 using scenes::SceneEntry;
 
 std::vector<SceneEntry> allScenes() {
-  return {scenes::treeBench(), scenes::threePlanes(), scenes::twoPlanes(),
-          scenes::spheres(),   scenes::fence(),       scenes::windmill()};
+  return {scenes::treeBench(), scenes::threePlanes(), scenes::twoPlanes(), scenes::spheres(),
+          scenes::fence(),     scenes::windmill(),    scenes::car()};
 }
 
 [[noreturn]] void refuse(const std::string& message) {

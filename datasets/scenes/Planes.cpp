@@ -48,7 +48,7 @@ Scene buildThreePlanes(const Values& values) {
                    object("C", plate(values.at("c"), -2.0, 2.0, -2.0, 2.0), colours::paper),
                    posts(), surroundings()};
   scene.light = sun({0.0, 9.0, 0.0});
-  scene.camera = lookFrom({-4.4, 3.1, 8.2}, {0.0, 1.75, 0.0}, 30.0);
+  scene.camera = lookFrom({-3.0, 3.0, 6.0}, {0.0, 1.45, 0.0}, 32.0);
   return scene;
 }
 
@@ -72,12 +72,12 @@ SceneEntry threePlanes() {
                           "edges of A, high above,\nbleed through it as light stripes, by a "
                           "quarter of the light where A covers half of the region.",
            .figure = "Lauritzen 2008, fig. 3.4",
-           .parameters = {{"a", "depth of A, the upper occluder", 0.02, 0.60, 0.08},
-                          {"b", "depth of B, the lower occluder", 0.20, 0.90, 0.62},
-                          {"c", "depth of C, the receiver", 0.30, 0.97, 0.80},
+           .parameters = {{"a", "depth of A, the upper occluder", 0.02, 0.60, 0.16},
+                          {"b", "depth of B, the lower occluder", 0.20, 0.90, 0.78},
+                          {"c", "depth of C, the receiver", 0.30, 0.97, 0.94},
                           {"coverage", "share of each slat's pitch that A covers", 0.0, 1.0, 0.5},
-                          {"slats", "slats that A consists of; 1 is the figure's one plane", 1, 40,
-                           9}}},
+                          {"slats", "slats that A consists of; 1 is the figure's one plane", 1, 60,
+                           30}}},
           buildThreePlanes};
 }
 

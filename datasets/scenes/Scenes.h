@@ -26,6 +26,7 @@ SceneEntry twoPlanes();
 SceneEntry spheres();
 SceneEntry fence();
 SceneEntry windmill();
+SceneEntry car();
 
 // What scenes share.
 Light sun(const Vector3d& position, const Vector3d& target = Vector3d::Zero());

@@ -38,7 +38,7 @@ Scene build(const Values& values) {
   for (const Ball& ball : high) add(ball, ball.height * values.at("lift"));
   addGround(scene, {-0.1, 0.0, -0.1}, 2.7, 2.3, stone, slate);
   scene.light = sun(lightAt);
-  scene.camera = lookFrom({3.4, 4.6, 7.8}, {-0.35, 0.95, -0.1}, 32.0);
+  scene.camera = lookFrom({4.6, 4.2, 8.0}, {-0.75, 1.45, -0.3}, 34.0);
   return scene;
 }
 
