@@ -96,25 +96,13 @@ void vtkUmbraShadingPass::Render(const vtkRenderState* state) {
   glBindTextureUnit(GLuint(this->DepthUnit), this->DepthMap->name());
   glBindTextureUnit(GLuint(this->ChannelUnit), this->ChannelMap->name());
   this->PreRender(state);
-  // First depth alone, by the same programs, which then cost next to nothing: what is hidden is
-  // not shaded, and leaves before leaves hide a lot.
-  const vtkOpenGLState::ScopedglDepthFunc depthFunction(gl);
-  gl->vtkglDepthFunc(GL_LEQUAL);
-  gl->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  this->DrawProps(state);
-  gl->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  this->DrawProps(state);
+  this->NumberOfRenderedProps = 0;
+  for (int i = 0; i < state->GetPropArrayCount(); ++i)
+    this->NumberOfRenderedProps += state->GetPropArray()[i]->RenderOpaqueGeometry(renderer);
   this->PostRender(state);
   units->Free(this->ChannelUnit);
   units->Free(this->DepthUnit);
   gl->PopFramebufferBindings();
-}
-
-void vtkUmbraShadingPass::DrawProps(const vtkRenderState* state) {
-  this->NumberOfRenderedProps = 0;
-  for (int i = 0; i < state->GetPropArrayCount(); ++i)
-    this->NumberOfRenderedProps +=
-        state->GetPropArray()[i]->RenderOpaqueGeometry(state->GetRenderer());
 }
 
 void vtkUmbraShadingPass::ReleaseGraphicsResources(vtkWindow* window) {

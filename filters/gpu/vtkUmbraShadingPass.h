@@ -55,7 +55,6 @@ class vtkUmbraShadingPass : public vtkOpenGLRenderPass {
 
  private:
   void PrepareFramebuffer(vtkRenderer* renderer, int width, int height);
-  void DrawProps(const vtkRenderState* state);
   double BiasTexels() const;
 
   Technique* Shaded = nullptr;
