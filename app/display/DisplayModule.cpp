@@ -1,4 +1,6 @@
 // The library's one symbol and the class behind it.
+#include <spdlog/spdlog.h>
+
 #include <QApplication>
 #include <memory>
 #include <optional>
@@ -44,6 +46,10 @@ class QtVtkDisplay final : public Display {
   void startQt() {
     if (QCoreApplication::instance()) return;
     qputenv("QT_QPA_PLATFORM", "offscreen");
+    // Qt's remarks about the environment are no result and no error of ours.
+    qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& text) {
+      if (type == QtCriticalMsg || type == QtFatalMsg) spdlog::error("{}", text.toStdString());
+    });
     application_.emplace(argc_, argv_);
   }
 

@@ -132,10 +132,10 @@ TEST_F(Errors, ScenesAndSessionsThatAreNone) {
   expectError(3, "none.json", {"render", "--session", folder.file("none.json"), "-o", out});
   std::ofstream(folder.file("broken.json")) << "{\"technique\": ";
   expectError(3, "broken.json", {"render", "--session", folder.file("broken.json"), "-o", out});
-  expectError(2, "--light", {"render", "--scene", "spheres", "--light", "sun:1,2,3", "-o", out});
-  expectError(2, "--camera", {"render", "--scene", "spheres", "--camera", "1,2", "-o", out});
+  expectError(2, "--light", {"render", "--scene", "two-planes", "--light", "sun:1,2,3", "-o", out});
+  expectError(2, "--camera", {"render", "--scene", "two-planes", "--camera", "1,2", "-o", out});
   expectError(2, "half or float",
-              {"render", "--scene", "spheres", "--format", "double", "-o", out});
+              {"render", "--scene", "two-planes", "--format", "double", "-o", out});
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 
@@ -145,7 +145,7 @@ TEST_F(Errors, OutputsThatCannotBeWritten) {
   expectError(4, "m.exr",
               {"probe", "--depth", map, "--texel", "8,9", "--receiver", "0.7", "-o", below});
   expectError(4, "m.exr", {"encode", "--depth", map, "-o", below + "/c.exr"});
-  expectError(4, "m.exr", {"render", "--scene", "spheres", "-o", below + "/p.png"});
+  expectError(4, "m.exr", {"render", "--scene", "two-planes", "-o", below + "/p.png"});
   expectError(4, "standard output", probe({}), {.output = "/dev/full"});
   std::filesystem::create_directory(folder.file("d.exr"));
   expectError(4, "d.exr", {"encode", "--depth", map, "-o", folder.file("d.exr")});
@@ -165,8 +165,9 @@ TEST_F(Errors, AFolderWithoutPermissionIsNamed) {
 
 TEST_F(Errors, OutputsThatAreMissingOrOfNoKnownKind) {
   expectError(2, "--output", {"encode", "--depth", map});
-  expectError(2, "--output", {"render", "--scene", "spheres"});
-  expectError(2, ".png or FILE.exr", {"render", "--scene", "spheres", "-o", folder.file("p.bmp")});
+  expectError(2, "--output", {"render", "--scene", "two-planes"});
+  expectError(2, ".png or FILE.exr",
+              {"render", "--scene", "two-planes", "-o", folder.file("p.bmp")});
   expectError(2, "double",
               {"encode", "--depth", map, "--format", "double", "-o", folder.file("c.exr")});
   EXPECT_EQ(folder.names(), std::vector<std::string>{"m.exr"});

@@ -1,0 +1,148 @@
+// Commands that draw, on EGL without a display.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "tests/cli/Process.h"
+#include "tests/cli/SmallMap.h"
+
+namespace umbra::cli {
+namespace {
+
+const Arguments small{"--size", "160x120", "--map-size", "256"};
+
+Arguments with(Arguments arguments, const Arguments& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+TEST(SceneProbe, TellsWhatTheGpuSawAndWhatTheRegionSays) {
+  const Json object = run(with({"probe", "--json", "--scene", "three-planes", "--pixel", "worst",
+                                "--technique", "hard,pcf,vsm,power-cdf"},
+                               small))
+                          .json();
+  EXPECT_EQ(object["source"]["name"], "three-planes");
+  EXPECT_EQ(object["source"]["width"], 256);
+  EXPECT_EQ(object["region"]["texels"], 64);  // 7×7 taps read bilinearly
+  for (const char* field : {"pixel", "uv"}) EXPECT_EQ(object[field].size(), 2u) << field;
+  EXPECT_EQ(object["world"].size(), 3u);
+  ASSERT_EQ(object["techniques"].size(), 4u);
+  for (const Json& row : object["techniques"]) {
+    ASSERT_TRUE(row.contains("gpu")) << row;
+    EXPECT_GE(row["gpu"], 0.0);
+    EXPECT_LE(row["gpu"], 1.0);
+    EXPECT_NEAR(row["visibility"].get<double>() - object["reference"].get<double>(), row["error"],
+                1e-12);
+  }
+  // Lauritzen 2008, fig. 3.4: B hides C from the light, and VSM lights C all the same.
+  EXPECT_GT(object["techniques"][2]["error"], 0.1);
+}
+
+TEST(SceneProbe, ThePixelOfAnEarlierProbeGivesTheSameProbe) {
+  const Arguments probe{"probe", "--json", "--scene", "two-planes", "--technique", "vsm"};
+  const Json first = run(with(with(probe, {"--pixel", "worst"}), small)).json();
+  const std::string pixel = first["pixel"][0].dump() + "," + first["pixel"][1].dump();
+  EXPECT_EQ(run(with(with(probe, {"--pixel", pixel}), small)).json(), first);
+}
+
+TEST(SceneProbe, APixelWithoutASurfaceIsAnError) {
+  const Arguments probe{"probe", "--json", "--scene", "tree-bench"};
+  const Outcome sky = run(with(with(probe, {"--pixel", "2,2"}), small));
+  EXPECT_EQ(sky.status, 2);
+  EXPECT_NE(sky.err.find("no surface"), std::string::npos) << sky.err;
+  const Outcome outside = run(with(with(probe, {"--pixel", "160,5"}), small));
+  EXPECT_EQ(outside.status, 2);
+  EXPECT_NE(outside.err.find("160x120"), std::string::npos) << outside.err;
+}
+
+TEST(SceneCompare, PcfIsTheReferenceAndVsmOnlyBleeds) {
+  const Json object =
+      run(with({"compare", "--json", "--scene", "three-planes", "--technique", "pcf,vsm"}, small))
+          .json();
+  EXPECT_EQ(object["format"], "umbrascope-compare/1");
+  EXPECT_EQ(object["reference"], "pcf");
+  EXPECT_GT(object["samples"], 1000);
+  const Json pcf = object["techniques"][0], vsm = object["techniques"][1];
+  for (const char* field : {"rmse", "mae", "bleeding", "darkening", "max", "min", "umbraBleeding"})
+    EXPECT_TRUE(vsm.contains(field)) << field;
+  // Both are sums of 64 float weights, in different orders.
+  EXPECT_LT(pcf["max"], 64 * std::ldexp(1.0, -23));
+  EXPECT_GT(vsm["bleeding"], 0.001);
+  EXPECT_GT(vsm["bleeding"], 100 * vsm["darkening"].get<double>());
+}
+
+TEST(SceneCompare, WritesAFolder) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run(with(
+      {"compare", "--scene", "two-planes", "--technique", "vsm,hard", "-o", folder.file("out")},
+      small));
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"out", "out/compare.csv", "out/compare.json",
+                                                      "out/error-hard.png", "out/error-vsm.png"}));
+  for (const char* name : {"compare.csv", "compare.json", "error-vsm.png"})
+    EXPECT_NE(outcome.err.find(folder.file("out/") + name), std::string::npos) << outcome.err;
+  EXPECT_TRUE(contentOf(folder.file("out/compare.csv")).starts_with("name,rmse,mae,"));
+}
+
+TEST(SceneEncode, StoresTheDepthMapThatTheProbeReads) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("c.exr");
+  const Outcome outcome = run(with(
+      {"encode", "--scene", "two-planes", "--technique", "vsm", "--kernel", "none", "-o", file},
+      small));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const DepthMap z = readDepthFile(file), m1 = readDepthFile(file, "vsm.M1"),
+                 m2 = readDepthFile(file, "vsm.M2");
+  ASSERT_EQ(z.width(), 256);
+  for (int y = 0; y < 256; ++y)
+    for (int x = 0; x < 256; ++x) {
+      EXPECT_EQ(m1(x, y), z(x, y));
+      EXPECT_NEAR(m2(x, y), z(x, y) * z(x, y), std::ldexp(1.0, -24));
+    }
+}
+
+TEST(SceneRender, LayersHoldTheErrorOfEachTechnique) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("l.exr");
+  const Outcome outcome =
+      run(with({"render", "--scene", "three-planes", "--technique", "pcf,vsm", "-o", file}, small));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto layer = [&](const std::string& name) { return readDepthFile(file, name, -2.0, 2.0); };
+  const DepthMap visibility = layer("vsm.visibility"), reference = layer("reference"),
+                 error = layer("vsm.error"), u = layer("u");
+  ASSERT_EQ(error.width(), 160);
+  ASSERT_EQ(error.height(), 120);
+  int shaded = 0;
+  for (int y = 0; y < 120; ++y)
+    for (int x = 0; x < 160; ++x) {
+      if (error(x, y) == 0.5) continue;  // of [-2, 2]: no error, or no shadow received
+      ++shaded;
+      EXPECT_NEAR(error(x, y) - 0.5, visibility(x, y) - reference(x, y), 1e-7);
+      EXPECT_GE(u(x, y), 0.5);
+    }
+  EXPECT_GT(shaded, 100);
+}
+
+TEST(Tour, WritesPicturePlotsAndFigures) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run(with({"tour", "-o", folder.file("out")}, small));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  std::set<std::string> expected{"out", "out/picture.png", "out/probe.json"};
+  for (const char* plot : {"curves", "histogram", "cdf"})
+    for (const char* extension : {".png", ".svg", ".pdf", ".csv"})
+      expected.insert(std::string("out/") + plot + extension);
+  const std::vector<std::string> names = folder.names();
+  EXPECT_EQ(std::set<std::string>(names.begin(), names.end()), expected);
+  for (const std::string& name : expected) {
+    if (name == "out") continue;
+    EXPECT_NE(outcome.err.find(folder.file(name)), std::string::npos) << name << "\n"
+                                                                      << outcome.err;
+    EXPECT_GT(std::filesystem::file_size(folder.file(name)), 200u) << name;
+  }
+  EXPECT_TRUE(Json::parse(contentOf(folder.file("out/probe.json")), nullptr, false).is_object());
+  EXPECT_NE(contentOf(folder.file("out/curves.svg")).find("<text"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace umbra::cli
