@@ -10,8 +10,9 @@ namespace {
 using scenes::SceneEntry;
 
 std::vector<SceneEntry> allScenes() {
-  return {scenes::treeBench(), scenes::threePlanes(), scenes::twoPlanes(), scenes::spheres(),
-          scenes::fence(),     scenes::windmill(),    scenes::car()};
+  return {scenes::treeBench(), scenes::threePlanes(), scenes::twoPlanes(),
+          scenes::spheres(),   scenes::fence(),       scenes::windmill(),
+          scenes::car(),       scenes::foliage(),     scenes::teapotArcade()};
 }
 
 [[noreturn]] void refuse(const std::string& message) {

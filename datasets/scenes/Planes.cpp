@@ -7,7 +7,7 @@ namespace {
 // The posts reach from the ground to `height` and bound the light's frame whatever the plates'
 // depths are, so that a plate at parameter z lies at normalised depth z: the frame adds 2 % of the
 // height on either side.
-constexpr double height = 4.0, halfWidth = 2.0, plateThickness = 0.02;
+constexpr double height = 3.2, halfWidth = 2.0, plateThickness = 0.02;
 
 double heightAt(double z) {
   return height * (1.02 - 1.04 * z);
@@ -48,7 +48,7 @@ Scene buildThreePlanes(const Values& values) {
                    object("C", plate(values.at("c"), -2.0, 2.0, -2.0, 2.0), colours::paper),
                    posts(), surroundings()};
   scene.light = sun({0.0, 9.0, 0.0});
-  scene.camera = lookFrom({-3.0, 3.0, 6.0}, {0.0, 1.45, 0.0}, 32.0);
+  scene.camera = lookFrom({-1.5, 2.5, 8.2}, {0.0, 1.35, 0.0}, 23.0);
   return scene;
 }
 
@@ -59,7 +59,7 @@ Scene buildTwoPlanes(const Values& values) {
       object("receiver", plate(values.at("receiver"), -2.0, 2.0, -2.0, 2.0), colours::paper),
       posts(), surroundings()};
   scene.light = sun({0.0, 9.0, 0.0});
-  scene.camera = lookFrom({5.6, 5.6, 7.6}, {0.0, 1.4, 0.0}, 30.0);
+  scene.camera = lookFrom({4.6, 4.9, 6.8}, {0.0, 1.1, 0.0}, 28.0);
   return scene;
 }
 
@@ -72,8 +72,8 @@ SceneEntry threePlanes() {
                           "edges of A, high above,\nbleed through it as light stripes, by a "
                           "quarter of the light where A covers half of the region.",
            .figure = "Lauritzen 2008, fig. 3.4",
-           .parameters = {{"a", "depth of A, the upper occluder", 0.02, 0.60, 0.16},
-                          {"b", "depth of B, the lower occluder", 0.20, 0.90, 0.78},
+           .parameters = {{"a", "depth of A, the upper occluder", 0.02, 0.60, 0.12},
+                          {"b", "depth of B, the lower occluder", 0.20, 0.90, 0.74},
                           {"c", "depth of C, the receiver", 0.30, 0.97, 0.94},
                           {"coverage", "share of each slat's pitch that A covers", 0.0, 1.0, 0.5},
                           {"slats", "slats that A consists of; 1 is the figure's one plane", 1, 60,

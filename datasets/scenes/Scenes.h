@@ -27,6 +27,8 @@ SceneEntry spheres();
 SceneEntry fence();
 SceneEntry windmill();
 SceneEntry car();
+SceneEntry foliage();
+SceneEntry teapotArcade();
 
 // What scenes share.
 Light sun(const Vector3d& position, const Vector3d& target = Vector3d::Zero());

@@ -20,14 +20,14 @@ Vector3d centreOf(const Ball& ball, double height) {
 Scene build(const Values& values) {
   using namespace colours;
   Scene scene;
-  const Ball low[] = {{-0.75, 0.35, 0.80, 0.72, paper},
-                      {1.35, 0.75, 0.66, 0.60, sand},
-                      {0.55, -1.05, 0.60, 0.55, paper},
-                      {-1.75, -1.15, 0.50, 0.45, sand}};
-  const Ball high[] = {{-0.30, 0.75, 2.60, 0.40, teal},   {-1.15, 0.05, 3.30, 0.32, rose},
-                       {1.70, 0.45, 2.90, 0.34, ochre},   {1.00, 1.10, 3.60, 0.28, blue},
-                       {0.85, -0.80, 3.20, 0.30, brick},  {0.15, -1.35, 2.50, 0.26, teal},
-                       {-1.50, -0.90, 3.00, 0.27, slate}, {0.35, 0.10, 3.70, 0.24, ochre}};
+  const Ball low[] = {{-0.55, 0.45, 0.55, 0.50, paper}, {0.95, 0.75, 0.50, 0.46, sand},
+                      {0.55, -0.65, 0.52, 0.48, paper}, {-1.25, -0.75, 0.46, 0.42, sand},
+                      {-0.30, 1.55, 0.42, 0.38, sand},  {1.75, -0.10, 0.42, 0.38, paper}};
+  const Ball high[] = {{-0.35, 0.70, 2.60, 0.30, teal},   {-0.85, 0.35, 3.20, 0.26, rose},
+                       {1.20, 0.65, 2.90, 0.28, ochre},   {0.75, 1.02, 3.50, 0.22, blue},
+                       {0.78, -0.50, 3.20, 0.26, brick},  {0.35, -0.85, 2.50, 0.24, teal},
+                       {-1.10, -0.60, 3.00, 0.25, slate}, {-0.15, 1.70, 3.40, 0.22, ochre},
+                       {1.85, 0.05, 2.70, 0.22, rose}};
   int count = 0;
   const auto add = [&](const Ball& ball, double height) {
     scene.objects.push_back(object("sphere " + std::to_string(++count),
@@ -36,9 +36,9 @@ Scene build(const Values& values) {
   };
   for (const Ball& ball : low) add(ball, ball.height);
   for (const Ball& ball : high) add(ball, ball.height * values.at("lift"));
-  addGround(scene, {-0.1, 0.0, -0.1}, 2.7, 2.3, stone, slate);
+  addGround(scene, {0.0, 0.0, 0.1}, 2.45, 2.2, stone, slate);
   scene.light = sun(lightAt);
-  scene.camera = lookFrom({4.6, 4.2, 8.0}, {-0.75, 1.45, -0.3}, 34.0);
+  scene.camera = lookFrom({3.2, 4.3, 6.6}, {-0.45, 1.25, -0.1}, 33.0);
   return scene;
 }
 

@@ -23,8 +23,8 @@ std::pair<Mesh, Mesh> bench() {
 
 Scene build(const Values&) {
   Scene scene;
-  Tree tree = growTree({.height = 4.3, .crown = 1.6, .leaves = 2600, .leafLength = 0.25});
-  const Eigen::Affine3d place = moved({-1.0, 0.0, -1.75});
+  Tree tree = growTree({.height = 3.7, .crown = 1.45, .leaves = 1500, .leafLength = 0.25});
+  const Eigen::Affine3d place = moved({-0.75, 0.0, -1.35});
   auto [wood, iron] = bench();
   const Eigen::Affine3d seat = moved({0.15, 0.0, 0.25}) * turned(-8.0);
   scene.objects = {object("trunk", transformed(tree.wood, place), colours::bark),
@@ -33,7 +33,7 @@ Scene build(const Values&) {
                    object("bench frame", transformed(iron, seat), colours::iron)};
   addGround(scene, {-0.1, 0.0, -0.1}, 2.6, 2.4, colours::sand, colours::lawn);
   scene.light = sun({-2.6, 7.6, -4.2}, {-0.1, 0.5, 0.0});
-  scene.camera = lookFrom({2.6, 2.7, 6.3}, {-0.25, 1.55, -0.4}, 35.0);
+  scene.camera = lookFrom({1.9, 2.3, 5.0}, {-0.35, 1.35, -0.4}, 38.0);
   return scene;
 }
 
