@@ -57,7 +57,7 @@ Scene build(const Values& values) {
                                .leaves = leaves * 2 / 3,
                                .leafLength = 0.19,
                                .seed = 5});
-  const Eigen::Affine3d left = moved({-1.0, 0.0, -1.3}), right = moved({1.25, 0.0, -0.9});
+  const Eigen::Affine3d left = moved({-1.45, 0.0, -0.9}), right = moved({0.85, 0.0, -1.1});
   Mesh shrubs, ferns, stones;
   append(shrubs, shrub({-1.75, 0.0, 0.35}, 0.50, 1200, 11));
   append(shrubs, shrub({0.30, 0.0, -1.0}, 0.60, 1500, 12));
@@ -78,8 +78,8 @@ Scene build(const Values& values) {
                    object("ferns", std::move(ferns), leaf),
                    object("stones", std::move(stones), stone)};
   addGround(scene, {0.05, 0.0, 0.1}, 2.75, 2.4, sand, lawn);
-  scene.light = sun({-2.2, 7.8, -3.6}, {0.0, 0.6, 0.0});
-  scene.camera = lookFrom({2.6, 3.0, 6.9}, {0.0, 1.45, -0.3}, 35.0);
+  scene.light = sun({-4.4, 7.2, 0.2}, {0.0, 0.6, 0.3});
+  scene.camera = lookFrom({0.9, 3.4, 7.6}, {0.0, 1.7, -0.3}, 34.0);
   return scene;
 }
 

@@ -38,7 +38,7 @@ Scene build(const Values& values) {
   for (const Ball& ball : high) add(ball, ball.height * values.at("lift"));
   addGround(scene, {0.0, 0.0, 0.1}, 2.45, 2.2, stone, slate);
   scene.light = sun(lightAt);
-  scene.camera = lookFrom({3.2, 4.3, 6.6}, {-0.45, 1.25, -0.1}, 33.0);
+  scene.camera = lookFrom({3.2, 4.3, 7.2}, {-0.6, 1.45, -0.1}, 34.0);
   return scene;
 }
 

@@ -59,7 +59,7 @@ Mesh cups() {
 Scene build(const Values& values) {
   using namespace colours;
   Scene scene;
-  const Eigen::Affine3d place = moved({0.1, 0.0, 0.15});
+  const Eigen::Affine3d place = moved({0.55, 0.0, 0.1});
   scene.objects = {
       object("back arches", arches(-1.35), sand),
       object("front arches", arches(0.80), paper),
@@ -73,8 +73,9 @@ Scene build(const Values& values) {
   addGround(scene, {0.0, 0.0, 0.5}, 2.8, 2.4, rose, stone);
   scene.light = sun({-2.2, 6.2, -4.6}, {0.0, 0.5, 0.4});
   scene.light.kind = LightKind::Spot;
-  scene.light.halfAngle = 27.0;
-  scene.camera = lookFrom({3.1, 2.9, 6.6}, {-0.05, 0.95, 0.3}, 32.0);
+  scene.light.halfAngle = 30.0;
+  scene.light.intensity = 1.2;
+  scene.camera = lookFrom({1.9, 2.3, 6.6}, {0.25, 0.95, 0.5}, 31.0);
   return scene;
 }
 

@@ -23,7 +23,7 @@ std::pair<Mesh, Mesh> bench() {
 
 Scene build(const Values&) {
   Scene scene;
-  Tree tree = growTree({.height = 3.7, .crown = 1.45, .leaves = 1500, .leafLength = 0.25});
+  Tree tree = growTree({.height = 3.7, .crown = 1.45, .leaves = 1100, .leafLength = 0.25});
   const Eigen::Affine3d place = moved({-0.75, 0.0, -1.35});
   auto [wood, iron] = bench();
   const Eigen::Affine3d seat = moved({0.15, 0.0, 0.25}) * turned(-8.0);
@@ -33,7 +33,7 @@ Scene build(const Values&) {
                    object("bench frame", transformed(iron, seat), colours::iron)};
   addGround(scene, {-0.1, 0.0, -0.1}, 2.6, 2.4, colours::sand, colours::lawn);
   scene.light = sun({-2.6, 7.6, -4.2}, {-0.1, 0.5, 0.0});
-  scene.camera = lookFrom({1.9, 2.3, 5.0}, {-0.35, 1.35, -0.4}, 38.0);
+  scene.camera = lookFrom({1.7, 2.3, 5.2}, {-0.2, 1.15, -0.3}, 36.0);
   return scene;
 }
 

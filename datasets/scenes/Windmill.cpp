@@ -107,7 +107,7 @@ Scene build(const Values& values) {
                    object("barrels", barrels(), ochre)};
   addGround(scene, {-0.35, 0.0, 0.1}, 2.9, 2.7, sand, lawn);
   scene.light = sun({4.2, 8.6, 4.4}, {0.0, 1.2, 0.0});
-  scene.camera = lookFrom({-7.2, 5.2, 8.4}, {-0.35, 2.55, 0.0}, 34.0);
+  scene.camera = lookFrom({-7.2, 5.2, 8.4}, {-0.55, 2.65, 0.0}, 34.0);
   return scene;
 }
 
