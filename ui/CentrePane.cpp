@@ -98,6 +98,8 @@ void CentrePane::refresh() {
   if (!depth) return;
   if (depth != shownDepth_) {
     depth_->setChannels({tr("depth")}, tr("depth"));
+    depth_->setTitle(
+        tr("Depth map · %1").arg(QString::fromStdString(titleOf(document.session.source))));
     depth_->setImage(*depth);
     depth_->fit();
   }

@@ -5,6 +5,7 @@
 #include "datasets/DepthFile.h"
 #include "datasets/MeshFile.h"
 #include "datasets/SceneCatalogue.h"
+#include "filters/core/Error.h"
 
 namespace umbra {
 
@@ -22,6 +23,8 @@ Content loadContent(const SceneSource& source) {
           readDepthFile(source.name, source.channel, source.depthNear, source.depthFar));
       break;
   }
+  if (content.scene && content.scene->triangleCount() == 0)
+    throw Error(ErrorKind::BadInput, source.name + ": there is no triangle to draw");
   return content;
 }
 

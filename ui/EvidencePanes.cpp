@@ -67,6 +67,9 @@ void EvidencePanes::showHints() {
          "gives this pixel appears here, over all depths."));
   cdf_->clear(tr("Point at a shadow: how its region's depths add up appears here."));
   histogram_->clear(tr("Point at a shadow: the depths in its filter region appear here."));
+  curves_->setTitle(tr("Visibility of the region, every technique"));
+  cdf_->setTitle(tr("Distribution of the region's depths"));
+  histogram_->setTitle(tr("Depths in the region"));
   table_->clear();
   region_->clear();
   map_->clearRegion();

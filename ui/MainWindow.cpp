@@ -45,6 +45,9 @@ MainWindow::MainWindow(const Session& session, QWidget* parent)
   connectParts();
   view_->showDocument(controller_.document(), controller_.technique());
   refresh();
+  // No frame calls for the probe of a depth file; its panes have their sizes once this returned.
+  if (controller_.document().content.depth)
+    QMetaObject::invokeMethod(prober_, &Prober::refresh, Qt::QueuedConnection);
 }
 
 // The panes end before what they listen to.
@@ -59,7 +62,7 @@ void MainWindow::connectParts() {
               centre_->banner().dismiss();
               probeNextFrame_ = true;
             }
-            view_->showDocument(after, controller_.technique());
+            attempt([&] { view_->showDocument(after, controller_.technique()); });
             evidence_->refreshMap();
             refresh();
             if (view_->upToDate()) prober_->refresh();  // else after the frame that follows
@@ -103,9 +106,11 @@ void MainWindow::refresh() {
                                      : title));
   const Scene* scene = controller_.document().content.scene.get();
   const bool onScene = scene != nullptr;
-  sceneText_->setText(title + (onScene && !scene->figure.empty()
-                                   ? QStringLiteral(" · ") + style::text(scene->figure)
-                                   : QString()));
+  // What a storage format does to a parameter matters more than where one is.
+  const bool figure = onScene && !scene->figure.empty();
+  sceneText_->setText(!controller_.notices().isEmpty() ? controller_.notices().join("  ")
+                      : figure ? title + QStringLiteral(" · ") + style::text(scene->figure)
+                               : title);
   for (QAction* action : modes_->actions()) {
     action->setChecked(action->data().toInt() == int(session.frame.view));
     action->setEnabled(onScene);

@@ -167,7 +167,8 @@ void SceneOverlay::drawHint(QPainter& painter) const {
   if (contents_.hint.isEmpty()) return;
   const QFontMetricsF metrics(font());
   const QSizeF size(metrics.horizontalAdvance(contents_.hint) + 28.0, metrics.height() + 12.0);
-  const QRectF frame(QPointF((width() - size.width()) / 2.0, 12.0), size);
+  const QRectF frame(QPointF((width() - size.width()) / 2.0, height() - size.height() - 12.0),
+                     size);
   painter.setPen(Qt::NoPen);
   painter.setBrush(QColor(0xff, 0xff, 0xff, 0xe6));
   painter.drawRoundedRect(frame, size.height() / 2.0, size.height() / 2.0);

@@ -23,7 +23,7 @@ class SceneOverlay : public QWidget {
     std::optional<ProbeReport> report;
     QString heading, verdict;  // the two lines beside the probe; empty leaves them out
     bool wrong = false;        // the verdict is an error
-    QString hint;              // one sentence at the top; empty for none
+    QString hint;              // one sentence at the bottom; empty for none
   };
   void setContents(Contents contents);
   const LightHandle& handle() const { return handle_; }
