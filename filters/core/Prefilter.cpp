@@ -87,6 +87,9 @@ std::vector<double> prefilteredRegion(const Region& region, const Technique& tec
                                       StorageFormat format) {
   const std::vector<Channel> layout = technique.channels();
   std::vector<double> texel(layout.size()), reduced(layout.size(), 0.0);
+  // A four-moment bound divides by differences of these sums that are 10⁻⁷ of them: plain sums
+  // would leave it nine digits.
+  std::vector<long double> sums(layout.size(), 0.0L);
   bool first = true;
   for (const RegionTexel& tap : region.texels) {
     technique.encode(tap.depth, texel);
@@ -94,7 +97,7 @@ std::vector<double> prefilteredRegion(const Region& region, const Technique& tec
       const double value = storedIn(layout[c], texel[c], format);
       switch (layout[c].reduction) {
         case Reduction::Mean:
-          reduced[c] += tap.weight * value;
+          sums[c] += static_cast<long double>(tap.weight) * value;
           break;
         case Reduction::Min:
           reduced[c] = first ? value : std::min(reduced[c], value);
@@ -106,8 +109,10 @@ std::vector<double> prefilteredRegion(const Region& region, const Technique& tec
     }
     first = false;
   }
-  for (std::size_t c = 0; c < layout.size(); ++c)
+  for (std::size_t c = 0; c < layout.size(); ++c) {
+    if (layout[c].reduction == Reduction::Mean) reduced[c] = double(sums[c]);
     reduced[c] = storedIn(layout[c], reduced[c], format);
+  }
   return reduced;
 }
 

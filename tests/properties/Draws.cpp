@@ -43,9 +43,11 @@ ParameterValue drawnValue(const Parameter& parameter) {
   if (std::holds_alternative<double>(parameter.defaultValue)) {
     const double u = unit();
     if (u == 0.0 || u == 1.0) return u == 0.0 ? parameter.low : parameter.high;
-    return parameter.scale == Scale::Logarithmic
-               ? parameter.low * std::pow(parameter.high / parameter.low, u)
-               : parameter.low + u * (parameter.high - parameter.low);
+    if (parameter.scale == Scale::Linear)
+      return parameter.low + u * (parameter.high - parameter.low);
+    // A logarithmic range that begins at 0 is drawn over its upper twelve decades.
+    const double smallest = parameter.low > 0.0 ? parameter.low : parameter.high * 1e-12;
+    return smallest * std::pow(parameter.high / smallest, u);
   }
   // Lists are layer splits: they rise strictly inside the range.
   std::set<double> list;

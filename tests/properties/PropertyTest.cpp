@@ -139,7 +139,7 @@ TEST_P(EveryTechnique, DeclaresItsParametersInFull) {
     EXPECT_TRUE(!parameter.symbol.empty() || !parameter.choices.empty());
     EXPECT_TRUE(parameter.get() == parameter.defaultValue);
     EXPECT_NO_THROW(parameter.set(parameter.defaultValue, "default"));
-    EXPECT_TRUE(parameter.scale == Scale::Linear || parameter.low > 0.0);
+    EXPECT_TRUE(parameter.scale == Scale::Linear || parameter.low >= 0.0);
   }
 }
 

@@ -7,9 +7,9 @@
 namespace umbra {
 namespace {
 
-const SliderScale scales[] = {
-    {1e-12, 1e-2, true},      {0.0, 0.99}, {0.0, 1.0},  {1.0, 88.0},
-    {1.0, 16.0, false, true}, {0.0, 0.05}, {-3.0, 5.0}, {1e-3, 10.0, true}};
+const SliderScale scales[] = {{0.0, 1e-2, true}, {1e-12, 1e-2, true}, {0.0, 0.99},
+                              {0.0, 1.0},        {1.0, 88.0},         {1.0, 16.0, false, true},
+                              {0.0, 0.05},       {-3.0, 5.0},         {1e-3, 10.0, true}};
 
 TEST(SliderScale, EndsAreExact) {
   for (const SliderScale& scale : scales) {

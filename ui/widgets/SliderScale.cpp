@@ -23,8 +23,9 @@ int SliderScale::positions() const {
 
 int SliderScale::positionOf(double value) const {
   const double inside = std::clamp(value, low, high);
-  if (!(high > low)) return 0;
-  const double share = isLogarithmic() ? std::log(inside / low) / std::log(high / low)
+  if (!(high > low) || inside <= low) return 0;
+  const double share = isLogarithmic() ? std::log(std::max(inside, smallest()) / smallest()) /
+                                             std::log(high / smallest())
                                        : (inside - low) / (high - low);
   return int(std::lround(share * positions()));
 }
@@ -35,7 +36,8 @@ double SliderScale::valueAt(int position) const {
   if (whole) return low + position;
   const double share = double(position) / positions();
   if (isLogarithmic())
-    return std::clamp(roundedTo(low * std::pow(high / low, share), "%.*e", 2), low, high);
+    return std::clamp(roundedTo(smallest() * std::pow(high / smallest(), share), "%.*e", 2), low,
+                      high);
   const int digits = std::max(0, int(std::ceil(-std::log10((high - low) / positions()))));
   return std::clamp(roundedTo(low + share * (high - low), "%.*f", digits), low, high);
 }
@@ -43,7 +45,8 @@ double SliderScale::valueAt(int position) const {
 double SliderScale::stepped(double value, int steps) const {
   double next = value + steps;
   if (isLogarithmic() && !whole) {
-    next = roundedTo(value * std::pow(10.0, steps * 0.1), "%.*e", 2);
+    next = roundedTo(std::max(value, smallest()) * std::pow(10.0, steps * 0.1), "%.*e", 2);
+    if (next < smallest()) next = low;
   } else if (!whole) {
     const int digits = std::max(0, int(std::ceil(-std::log10((high - low) / 100.0))));
     next = value + steps * std::pow(10.0, -digits);

@@ -3,7 +3,8 @@
 
 namespace umbra {
 
-// `low` and `high` are inclusive; a logarithmic scale needs low > 0 and is linear otherwise.
+// `low` and `high` are inclusive; a logarithmic scale from 0 has 0 at its first position and
+// ten decades above it.
 struct SliderScale {
   double low = 0.0, high = 1.0;
   bool logarithmic = false;
@@ -18,7 +19,8 @@ struct SliderScale {
   double stepped(double value, int steps) const;
 
  private:
-  bool isLogarithmic() const { return logarithmic && low > 0.0; }
+  bool isLogarithmic() const { return logarithmic && low >= 0.0 && high > 0.0; }
+  double smallest() const { return low > 0.0 ? low : high * 1e-10; }  // of a logarithmic scale
 };
 
 }  // namespace umbra

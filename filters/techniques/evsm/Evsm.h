@@ -17,7 +17,7 @@ struct Evsm2Parameters {
         Field<P, double>{&P::positiveExponent, "positive-exponent", "c₊", "1/depth", 0.1, 200.0,
                          "Steepness of the warp; larger bleeds less. Float holds 88, half 11.",
                          Scale::Logarithmic},
-        Field<P, double>{&P::minVariance, "min-variance", "σ²min", "depth²", 1e-12, 1e-2,
+        Field<P, double>{&P::minVariance, "min-variance", "σ²min", "depth²", 0.0, 1e-2,
                          "Smallest variance that a bound uses, carried into the warp by its slope.",
                          Scale::Logarithmic},
         Field<P, double>{
@@ -43,7 +43,7 @@ struct Evsm4Parameters {
                          "Steepness of the warp that draws it to the receiver instead.",
                          Scale::Logarithmic},
         Field<P, double>{
-            &P::minVariance, "min-variance", "σ²min", "depth²", 1e-12, 1e-2,
+            &P::minVariance, "min-variance", "σ²min", "depth²", 0.0, 1e-2,
             "Smallest variance that a bound uses, carried into each warp by its slope.",
             Scale::Logarithmic},
         Field<P, double>{

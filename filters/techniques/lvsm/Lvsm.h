@@ -15,7 +15,7 @@ struct LvsmParameters : LayerParameters {
     return std::tuple_cat(
         layerFields<P>(),
         std::tuple{
-            Field<P, double>{&P::minVariance, "min-variance", "σ²min", "depth²", 1e-12, 1e-2,
+            Field<P, double>{&P::minVariance, "min-variance", "σ²min", "depth²", 0.0, 1e-2,
                              "Smallest variance that the bound uses, in unwarped depth.",
                              Scale::Logarithmic},
             Field<P, double>{

@@ -12,7 +12,7 @@ struct VsmParameters {
   static constexpr auto fields() {
     using P = VsmParameters;
     return std::tuple{
-        Field<P, double>{&P::minVariance, "min-variance", "σ²min", "depth²", 1e-12, 1e-2,
+        Field<P, double>{&P::minVariance, "min-variance", "σ²min", "depth²", 0.0, 1e-2,
                          "Smallest variance that the bound uses; hides rounding, blurs contacts.",
                          Scale::Logarithmic},
         Field<P, double>{
