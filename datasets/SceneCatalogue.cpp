@@ -1,5 +1,6 @@
 #include "datasets/SceneCatalogue.h"
 
+#include "datasets/InstalledModels.h"
 #include "datasets/scenes/Scenes.h"
 #include "filters/core/Error.h"
 #include "filters/core/Text.h"
@@ -25,6 +26,7 @@ SceneEntry entryNamed(const std::string& name) {
     if (entry.info.name == name) return entry;
     names.push_back(entry.info.name);
   }
+  for (const SceneInfo& model : installedModelInfos()) names.push_back(model.name);
   const std::string nearest = nearestWord(name, names);
   refuse("there is no scene '" + name + "'" +
          (nearest.empty() ? "; there are " + joined(names) : "; did you mean '" + nearest + "'?"));
@@ -58,13 +60,19 @@ scenes::Values valuesFor(const SceneInfo& info, const std::map<std::string, doub
 std::vector<SceneInfo> sceneCatalogue() {
   std::vector<SceneInfo> infos;
   for (SceneEntry& entry : allScenes()) infos.push_back(std::move(entry.info));
+  for (SceneInfo& model : installedModelInfos()) infos.push_back(std::move(model));
   return infos;
 }
 
 Scene makeScene(const std::string& name, const std::map<std::string, double>& parameters) {
+  if (isInstalledModel(name)) {
+    if (!parameters.empty())
+      refuse("scene " + name + ": there is no parameter '" + parameters.begin()->first +
+             "'; this scene has none");
+    return makeInstalledModel(name);
+  }
   const SceneEntry entry = entryNamed(name);
   const scenes::Values values = valuesFor(entry.info, parameters);
-  if (!entry.info.missing.empty()) refuse("scene " + name + ": " + entry.info.missing);
   Scene scene = entry.build(values);
   scene.name = entry.info.name;
   scene.title = entry.info.title;

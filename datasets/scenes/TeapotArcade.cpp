@@ -36,7 +36,7 @@ Mesh pergola(int count) {
   Mesh mesh;
   for (int i = 0; i < count; ++i) {
     const double x = -2.1 + 4.2 * (i + 0.5) / count;
-    append(mesh, box({x - 0.03, 2.12, -1.5}, {x + 0.03, 2.24, 0.95}));
+    append(mesh, box({x - 0.03, 2.12, -1.9}, {x + 0.03, 2.24, -0.05}));
   }
   return mesh;
 }
@@ -59,10 +59,10 @@ Mesh cups() {
 Scene build(const Values& values) {
   using namespace colours;
   Scene scene;
-  const Eigen::Affine3d place = moved({0.55, 0.0, 0.1});
+  const Eigen::Affine3d place = moved({0.35, 0.0, 0.75});
   scene.objects = {
-      object("back arches", arches(-1.35), sand),
-      object("front arches", arches(0.80), paper),
+      object("back arches", arches(-1.75), sand),
+      object("front arches", arches(-0.20), paper),
       object("pergola", pergola(int(values.at("joists"))), wood),
       object("table", transformed(table(), place), bark),
       object("cups", transformed(cups(), place), white),
@@ -70,12 +70,12 @@ Scene build(const Values& values) {
              transformed(teapot(0.52), place * moved({-0.02, 0.66, -0.05}) * turned(28.0)), teal)};
   scene.objects.back().material.specular = 0.4;
   scene.objects.back().material.shininess = 40.0;
-  addGround(scene, {0.0, 0.0, 0.5}, 2.8, 2.4, rose, stone);
-  scene.light = sun({-2.2, 6.2, -4.6}, {0.0, 0.5, 0.4});
+  addGround(scene, {0.1, 0.0, 0.15}, 2.75, 2.45, rose, stone);
+  scene.light = sun({-2.6, 6.8, -4.6}, {0.05, 0.5, 0.1});
   scene.light.kind = LightKind::Spot;
   scene.light.halfAngle = 30.0;
   scene.light.intensity = 1.2;
-  scene.camera = lookFrom({1.9, 2.3, 6.6}, {0.25, 0.95, 0.5}, 31.0);
+  scene.camera = lookFrom({2.3, 3.0, 6.6}, {0.1, 0.95, 0.1}, 32.0);
   return scene;
 }
 
@@ -83,7 +83,7 @@ Scene build(const Values& values) {
 
 SceneEntry teapotArcade() {
   return {{.name = "teapot-arcade",
-           .title = "Teapot in an arcade",
+           .title = "Teapot before an arcade",
            .description = "A worst case: a spot light through arches, joists, teapot and table, "
                           "each before the next. Look under the\ntable and behind the front "
                           "arches: every edge nearer to the light shows through the last one.",
