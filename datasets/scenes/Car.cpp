@@ -126,7 +126,7 @@ Mesh windows() {
   const Vector2d rear[] = {{0.16, 0.90}, {1.22, 0.90}, {1.00, 1.22}, {0.70, 1.28}, {0.16, 1.29}};
   // Leaning inwards as the greenhouse does.
   const Eigen::Affine3d lean =
-      moved({0.0, 0.90, 0.875}) * turned(-33.0, Vector3d::UnitX()) * moved({0.0, -0.90, 0.0});
+      moved({0.0, 0.90, 0.895}) * turned(-33.0, Vector3d::UnitX()) * moved({0.0, -0.90, 0.0});
   const auto add = [&](std::span<const Vector2d> outline) {
     const Mesh pane = transformed(extruded(outline, -0.03, 0.0), lean);
     append(mesh, pane);
@@ -180,7 +180,7 @@ Scene build(const Values& values) {
   }
   addGround(scene, {0.1, 0.0, 0.35}, 2.75, 2.1, stone, lawn);
   scene.light = sun({-1.6, 7.0, -2.6}, {0.0, 0.4, 0.0});
-  scene.camera = lookFrom({-3.7, 2.5, 6.9}, {0.05, 0.95, 0.1}, 30.0);
+  scene.camera = lookFrom({-2.6, 2.5, 7.3}, {0.05, 0.95, 0.1}, 30.0);
   return scene;
 }
 

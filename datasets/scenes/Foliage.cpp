@@ -79,7 +79,7 @@ Scene build(const Values& values) {
                    object("stones", std::move(stones), stone)};
   addGround(scene, {0.05, 0.0, 0.1}, 2.75, 2.4, sand, lawn);
   scene.light = sun({-4.4, 7.2, 0.2}, {0.0, 0.6, 0.3});
-  scene.camera = lookFrom({0.9, 3.4, 7.6}, {0.0, 1.7, -0.3}, 34.0);
+  scene.camera = lookFrom({0.9, 3.4, 7.6}, {0.0, 1.95, -0.3}, 38.0);
   return scene;
 }
 
@@ -91,7 +91,7 @@ SceneEntry foliage() {
            .description = "A filter region holds a dozen depths here, more than two moments can "
                           "tell apart. Look at the ground under\nthe ferns and shrubs, and at the "
                           "crowns' inner leaves: hardly any deep shadow stays dark.",
-           .figure = "Lauritzen 2008, §3.2",
+           .figure = "Annen 2007, §5",
            .parameters = {{"leaves", "leaves of the tall tree", 500, 12000, 4200}}},
           build};
 }

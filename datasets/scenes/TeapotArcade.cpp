@@ -31,13 +31,16 @@ Mesh arches(double z) {
   return mesh;
 }
 
-// Joists over the passage between the two rows.
+// Joists over the passage and the court before it, where two posts carry them.
 Mesh pergola(int count) {
   Mesh mesh;
   for (int i = 0; i < count; ++i) {
     const double x = -2.1 + 4.2 * (i + 0.5) / count;
-    append(mesh, box({x - 0.03, 2.12, -1.9}, {x + 0.03, 2.24, -0.05}));
+    append(mesh, box({x - 0.03, 2.12, -1.9}, {x + 0.03, 2.24, 1.55}));
   }
+  append(mesh, box({-2.2, 2.02, 1.37}, {2.2, 2.12, 1.47}));
+  for (double x : {-2.1, 2.1})
+    append(mesh, cylinder({x, 0.0, 1.42}, {x, 2.02, 1.42}, 0.06, 0.05, 32));
   return mesh;
 }
 
@@ -59,7 +62,7 @@ Mesh cups() {
 Scene build(const Values& values) {
   using namespace colours;
   Scene scene;
-  const Eigen::Affine3d place = moved({0.35, 0.0, 0.75});
+  const Eigen::Affine3d place = moved({0.3, 0.0, 0.85});
   scene.objects = {
       object("back arches", arches(-1.75), sand),
       object("front arches", arches(-0.20), paper),
@@ -71,11 +74,11 @@ Scene build(const Values& values) {
   scene.objects.back().material.specular = 0.4;
   scene.objects.back().material.shininess = 40.0;
   addGround(scene, {0.1, 0.0, 0.15}, 2.75, 2.45, rose, stone);
-  scene.light = sun({-2.6, 6.8, -4.6}, {0.05, 0.5, 0.1});
+  scene.light = sun({-2.3, 7.6, -2.6}, {0.0, 0.5, 0.3});
   scene.light.kind = LightKind::Spot;
   scene.light.halfAngle = 30.0;
   scene.light.intensity = 1.2;
-  scene.camera = lookFrom({2.3, 3.0, 6.6}, {0.1, 0.95, 0.1}, 32.0);
+  scene.camera = lookFrom({1.6, 2.5, 6.4}, {0.1, 0.95, 0.3}, 32.0);
   return scene;
 }
 

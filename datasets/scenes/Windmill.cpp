@@ -107,7 +107,7 @@ Scene build(const Values& values) {
                    object("barrels", barrels(), ochre)};
   addGround(scene, {-0.35, 0.0, 0.1}, 2.9, 2.7, sand, lawn);
   scene.light = sun({4.2, 8.6, 4.4}, {0.0, 1.2, 0.0});
-  scene.camera = lookFrom({-7.2, 5.2, 8.4}, {-0.55, 2.65, 0.0}, 34.0);
+  scene.camera = lookFrom({-7.2, 5.2, 8.4}, {-0.55, 2.8, 0.0}, 37.0);
   return scene;
 }
 
@@ -115,9 +115,10 @@ Scene build(const Values& values) {
 
 SceneEntry windmill() {
   return {{.name = "windmill",
-           .title = "Windmill over its gallery",
+           .title = "Windmill and its gallery",
            .description = "Sails over railing over gallery over barrels and steps: many shadows "
-                          "overlap. Look under the gallery\nand in the tower's shadow: the lattice "
+                          "overlap. Look at the gallery's\nshadow on the ground and at the tower "
+                          "behind the sails: the lattice "
                           "of the sails bleeds through what lies between.",
            .figure = "Lauritzen 2008, fig. 4.8",
            .parameters = {{"turn", "degrees that the sails have turned", 0.0, 90.0, 22.0}}},
