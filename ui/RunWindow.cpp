@@ -1,7 +1,9 @@
 #include "ui/RunWindow.h"
 
 #include <QApplication>
+#include <QOpenGLContext>
 #include <memory>
+#include <string>
 
 #include "filters/core/Error.h"
 #include "ui/MainWindow.h"
@@ -9,11 +11,28 @@
 #include "ui/WindowStyle.h"
 
 namespace umbra {
+namespace {
+
+// What the passes need; asked before a window stands there with nothing in it.
+void requireOpenGL() {
+  QOpenGLContext context;
+  const bool made = context.create();
+  const auto [major, minor] = context.format().version();
+  if (made && (major > 4 || (major == 4 && minor >= 5))) return;
+  throw Error(ErrorKind::NoOpenGL,
+              made ? "the display offers OpenGL " + std::to_string(major) + "." +
+                         std::to_string(minor) + ", the window needs 4.5; a newer driver has it"
+                   : std::string("the display offers no OpenGL, the window needs 4.5; "
+                                 "Mesa (package libgl1-mesa-dri) has it in software"));
+}
+
+}  // namespace
 
 int runWindow(int& argc, char** argv, const Session& session) {
   prepareApplication();
   QApplication application(argc, argv);
   applyStyle(application);
+  requireOpenGL();
   std::unique_ptr<MainWindow> window;
   if (session == Session{})
     if (const auto last = lastSession()) try {

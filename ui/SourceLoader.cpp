@@ -12,7 +12,7 @@ SourceLoader::~SourceLoader() = default;
 
 void SourceLoader::load(const Session& session) {
   const int number = ++asked_;
-  threads_.emplace_back([this, number, session] {
+  threads_.emplace(number, [this, number, session] {
     Document document{session, {}};
     QString error;
     try {
@@ -26,9 +26,9 @@ void SourceLoader::load(const Session& session) {
 }
 
 void SourceLoader::report(int number, const Document& document, const QString& error) {
+  threads_.erase(number);  // it has only to return
   if (number != asked_) return;
   reported_ = number;
-  threads_.clear();  // the last one has only to return; earlier ones are waited for
   if (error.isEmpty())
     emit loaded(document);
   else

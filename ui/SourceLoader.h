@@ -2,8 +2,8 @@
 #pragma once
 
 #include <QObject>
+#include <map>
 #include <thread>
-#include <vector>
 
 #include "ui/Document.h"
 
@@ -31,8 +31,8 @@ class SourceLoader : public QObject {
  private:
   void report(int number, const Document& document, const QString& error);
 
-  std::vector<std::jthread> threads_;
-  int asked_ = 0, reported_ = 0;  // numbers of requests
+  std::map<int, std::jthread> threads_;  // by number of request, until they have reported
+  int asked_ = 0, reported_ = 0;         // numbers of requests
 };
 
 }  // namespace umbra

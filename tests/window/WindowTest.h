@@ -18,6 +18,9 @@ class WindowTest : public QObject {
   void initTestCase();
   void cleanup();
 
+  void theWorstSpotIsInFullShadow();
+  void aFootprintLiesOnItsSurface();
+  void aDirectionalLightTurnsAboutItsTarget();
   void theFirstFrameShowsWhereLightBleeds();
   void theTableAgreesWithTheAnalysis();
   void hoveringProbesAndLeavingKeepsTheProbe();

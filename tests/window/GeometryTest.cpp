@@ -1,0 +1,94 @@
+// Where the window draws and looks, without a window.
+#include <vtkCamera.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+#include <QTest>
+
+#include "tests/window/WindowTest.h"
+#include "ui/Footprint.h"
+#include "ui/LightHandle.h"
+#include "ui/SceneProjection.h"
+#include "ui/WorstPixel.h"
+
+namespace umbra {
+
+void WindowTest::theWorstSpotIsInFullShadow() {
+  Image<float> surfaces(200, 150, 4), reference(200, 150, 1, 1.0F);
+  const auto fill = [&](QRect spot, float visibility, float truth) {
+    for (int y = spot.top(); y <= spot.bottom(); ++y)
+      for (int x = spot.left(); x <= spot.right(); ++x) {
+        surfaces(x, y, 3) = visibility;
+        reference(x, y) = truth;
+      }
+  };
+  for (int y = 0; y < 150; ++y)
+    for (int x = 0; x < 200; ++x)
+      for (int channel = 0; channel < 4; ++channel)
+        surfaces(x, y, channel) = channel == 3 ? 1.0F : 0.5F;
+  QVERIFY(!worstBleeding(surfaces, reference));
+  fill({30, 40, 40, 40}, 0.9F, 0.4F);   // a penumbra, further off than what follows
+  fill({120, 60, 40, 40}, 0.0F, 0.0F);  // full shadow
+  fill({130, 70, 20, 20}, 0.3F, 0.0F);  // in which light bleeds
+  fill({140, 80, 1, 1}, 0.35F, 0.0F);   // here most
+  fill({60, 120, 1, 1}, 1.0F, 0.0F);    // a stray pixel
+  const auto worst = worstBleeding(surfaces, reference);
+  QVERIFY(worst.has_value());
+  QCOMPARE(worst->x, 140);
+  QCOMPARE(worst->y, 80);
+}
+
+void WindowTest::aFootprintLiesOnItsSurface() {
+  const Eigen::AlignedBox3d bounds(Eigen::Vector3d(-2, 0, -2), Eigen::Vector3d(2, 3, 2));
+  DepthMap map(64, 64, 1, 0.5);
+  const Region region = regionAtTexel(map, {KernelShape::Box, 2, 0.0}, 30, 20);
+  for (LightKind kind : {LightKind::Directional, LightKind::Spot}) {
+    Light light;
+    light.kind = kind;
+    light.position = {2.0, 8.0, 1.0};
+    const LightFrame frame = fitLightFrame(light, bounds);
+    const Plane ground(Eigen::Vector3d::UnitY(), Eigen::Vector3d::Zero());
+    const auto outline = footprintOf(region, 64, 0.5, frame, ground);
+    QVERIFY(outline.size() >= 4);
+    double left = 1.0, right = 0.0;
+    for (const Eigen::Vector3d& corner : outline) {
+      QVERIFY(std::abs(corner.y()) < 1e-9);
+      const LightPoint point = frame.project(corner);
+      left = std::min(left, point.u);
+      right = std::max(right, point.u);
+    }
+    // Texels 28 to 32 of 64.
+    QVERIFY(std::abs(left - 28.0 / 64.0) < 1e-9);
+    QVERIFY(std::abs(right - 33.0 / 64.0) < 1e-9);
+  }
+}
+
+void WindowTest::aDirectionalLightTurnsAboutItsTarget() {
+  const vtkNew<vtkRenderer> renderer;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetPosition(0, 4, 20);
+  camera->SetFocalPoint(0, 2, 0);
+  camera->SetClippingRange(1, 100);
+  const SceneProjection projection(*renderer, {800, 600});
+  const Eigen::Vector3d point(1.0, 2.0, -3.0);
+  const QPointF before = *projection.toWidget(point);
+  const QPointF after = *projection.toWidget(projection.moved(point, {30, -12}));
+  QVERIFY(std::abs(after.x() - before.x() - 30) < 1e-6);
+  QVERIFY(std::abs(after.y() - before.y() + 12) < 1e-6);
+  QVERIFY(!projection.toWidget(Eigen::Vector3d(0, 4, 30)));  // behind the camera
+
+  Light light;
+  light.position = {3.0, 9.0, 0.0};  // above the picture: the handle stands at its border
+  LightHandle handle;
+  handle.place(light, light.target, projection);
+  QVERIFY(handle.position().has_value());
+  QVERIFY(QRectF(0, 0, 800, 600).contains(*handle.position()));
+  QVERIFY(handle.isAt(*handle.position() + QPointF(5, 5)));
+  const Light turned = handle.dragged(light, {40, 0}, projection);
+  QVERIFY(std::abs((turned.position - turned.target).norm() - light.position.norm()) < 1e-9);
+  QVERIFY(turned.position.x() > light.position.x());
+  light.kind = LightKind::Spot;
+  const Light moved = handle.dragged(light, {0, 0}, projection);
+  QVERIFY((moved.position - light.position).norm() < 1e-9);
+}
+
+}  // namespace umbra
