@@ -66,6 +66,7 @@ SceneProbe probeScene(HeadlessFrame& frame, const Session& session,
 
 Pixel worstBleeding(HeadlessFrame& frame, const Technique& technique) {
   frame.render(technique, ViewMode::Shaded);
+  if (const std::optional<Pixel> plain = frame.plainestBleeding()) return *plain;
   const Image<float> surfaces = frame.surfaces(), reference = frame.reference();
   std::optional<Pixel> worst;
   float largest = 0.0f;

@@ -22,7 +22,8 @@ struct SceneProbe {
 SceneProbe probeScene(HeadlessFrame& frame, const Session& session,
                       const std::vector<std::shared_ptr<Technique>>& techniques, Pixel pixel);
 
-// The pixel whose surface faces the light and where `technique` is farthest above the reference.
+// Where `technique` bleeds most plainly; in a picture that bleeds nowhere visibly, the pixel that
+// receives shadow and is farthest above the reference.
 // Throws WorkFailed where no pixel of the frame is lit by the light's map.
 Pixel worstBleeding(HeadlessFrame& frame, const Technique& technique);
 

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,9 @@ class HeadlessFrame {
   virtual Image<float> reference() = 0;
   virtual const DepthMap& depthMap() = 0;
   virtual Image<float> channels(BakeStage stage) = 0;
+  // Where light bleeds most plainly: the pixel that the window goes to as well. None where no spot
+  // of the picture bleeds visibly.
+  virtual std::optional<Pixel> plainestBleeding() = 0;
 };
 
 // A picture with a name, for sheets of several.

@@ -1,6 +1,7 @@
 #include "app/display/RendererFrame.h"
 
 #include "filters/gpu/HeadlessWindow.h"
+#include "ui/WorstPixel.h"
 
 namespace umbra {
 
@@ -45,6 +46,11 @@ const DepthMap& RendererFrame::depthMap() {
 
 Image<float> RendererFrame::channels(BakeStage stage) {
   return checked(renderer_.channels(stage));
+}
+
+std::optional<Pixel> RendererFrame::plainestBleeding() {
+  const Image<float> points = surfaces();
+  return worstBleeding(points, reference());
 }
 
 }  // namespace umbra

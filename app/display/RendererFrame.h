@@ -22,6 +22,7 @@ class RendererFrame final : public HeadlessFrame {
   Image<float> reference() override;
   const DepthMap& depthMap() override;
   Image<float> channels(BakeStage stage) override;
+  std::optional<Pixel> plainestBleeding() override;
 
  private:
   // The result of a read-back, unless VTK reported an error meanwhile.

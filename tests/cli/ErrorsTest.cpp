@@ -115,7 +115,7 @@ TEST_F(Errors, TexelsThatAreNoDepthAreNamed) {
     bad(5, 11) = value;
     writeMap(folder.file("bad.exr"), bad);
     expectError(
-        3, "5, 11",
+        3, "5,11",
         {"probe", "--depth", folder.file("bad.exr"), "--texel", "2,3", "--receiver", "0.5"});
   };
   expectBadTexel(std::numeric_limits<float>::quiet_NaN());

@@ -199,10 +199,10 @@ TEST_F(ProbeDepth, DepthRangeAndChannelChooseTheValues) {
 }
 
 TEST_F(ProbeDepth, WithoutATechniqueAllAreProbed) {
+  const Json object = probe(8, 9, 0.7), catalogue = run({"techniques", "--json"}).json();
   std::set<std::string> probed, listed;
-  for (const Json& row : probe(8, 9, 0.7)["techniques"]) probed.insert(row["name"]);
-  for (const Json& row : run({"techniques", "--json"}).json()["techniques"])
-    listed.insert(row["name"]);
+  for (const Json& row : object["techniques"]) probed.insert(row["name"]);
+  for (const Json& row : catalogue["techniques"]) listed.insert(row["name"]);
   EXPECT_EQ(probed, listed);
   EXPECT_GE(listed.size(), 7u);
 }

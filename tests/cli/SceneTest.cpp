@@ -35,8 +35,9 @@ TEST(SceneProbe, TellsWhatTheGpuSawAndWhatTheRegionSays) {
     EXPECT_NEAR(row["visibility"].get<double>() - object["reference"].get<double>(), row["error"],
                 1e-12);
   }
-  // Lauritzen 2008, fig. 3.4: B hides C from the light, and VSM lights C all the same.
-  EXPECT_GT(object["techniques"][2]["error"], 0.1);
+  // Lauritzen 2008, fig. 3.4: B hides C from the light, and VSM lights C all the same. A spot
+  // counts as bleeding from a mean error of 0.05 on, and the pixel is its worst.
+  EXPECT_GT(object["techniques"][2]["error"], 0.05);
 }
 
 TEST(SceneProbe, ThePixelOfAnEarlierProbeGivesTheSameProbe) {
@@ -108,15 +109,18 @@ TEST(SceneRender, LayersHoldTheErrorOfEachTechnique) {
   const Outcome outcome =
       run(with({"render", "--scene", "three-planes", "--technique", "pcf,vsm", "-o", file}, small));
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  const auto layer = [&](const std::string& name) { return readDepthFile(file, name, -2.0, 2.0); };
+  // Values of [-far, far] come back in [0, 1]; u is far outside the map where the ground is.
+  const auto layer = [&](const std::string& name, double far = 2.0) {
+    return readDepthFile(file, name, -far, far);
+  };
   const DepthMap visibility = layer("vsm.visibility"), reference = layer("reference"),
-                 error = layer("vsm.error"), u = layer("u");
+                 error = layer("vsm.error"), u = layer("u", 1e6);
   ASSERT_EQ(error.width(), 160);
   ASSERT_EQ(error.height(), 120);
   int shaded = 0;
   for (int y = 0; y < 120; ++y)
     for (int x = 0; x < 160; ++x) {
-      if (error(x, y) == 0.5) continue;  // of [-2, 2]: no error, or no shadow received
+      if (error(x, y) == 0.5) continue;  // no error, or no shadow received
       ++shaded;
       EXPECT_NEAR(error(x, y) - 0.5, visibility(x, y) - reference(x, y), 1e-7);
       EXPECT_GE(u(x, y), 0.5);
