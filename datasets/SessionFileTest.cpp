@@ -1,0 +1,137 @@
+#include "datasets/SessionFile.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "filters/core/Error.h"
+
+namespace umbra {
+namespace {
+
+namespace fs = std::filesystem;
+
+class SessionFileTest : public testing::Test {
+ protected:
+  SessionFileTest() { fs::create_directories(folder_); }
+  ~SessionFileTest() override { fs::remove_all(folder_); }
+
+  const fs::path folder_ =
+      fs::temp_directory_path() / ("umbra-session-" + std::to_string(getpid()));
+};
+
+// Every member away from its default.
+Session unusualSession() {
+  Session session;
+  session.source.name = "three-planes";
+  session.source.parameters = {{"a", 0.1}, {"b", 0.5}};
+  session.light = Light{LightKind::Spot, {1, 2, 3}, {0.1, 0.2, 0.3}, 45.5, {1, 0.9, 0.8}, 2.5};
+  session.camera = Camera{{4, 5, 6}, {1, 0, 1}, {0, 0, 1}, 42.0};
+  session.frame.map = {512, StorageFormat::Half};
+  session.frame.kernel = {KernelShape::Gaussian, 7, 2.25};
+  session.frame.read = ReadFilter::Point;
+  session.frame.bias = {1e-3, 2.0, false, true};
+  session.frame.view = ViewMode::Error;
+  session.technique = "power-cdf";
+  session.parameters = {{"vsm", {{"min-variance", 1.0 / 3.0 * 1e-3}}},
+                        {"csm", {{"terms", 8}, {"mode", std::string("scale")}}}};
+  session.width = 640;
+  session.height = 480;
+  session.probe = Pixel{17, 23};
+  session.receiver = 0.1 + 0.2;
+  return session;
+}
+
+// The message of the error that reading `text` ends in.
+std::string errorOf(const std::string& text) {
+  try {
+    sessionFromText(text, "s.json");
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::BadInput);
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+    return error.what();
+  }
+  return "no error";
+}
+
+std::string sessionWith(const std::string& members) {
+  return R"({"format": "umbrascope-session/1", )" + members + "}";
+}
+
+TEST_F(SessionFileTest, EverythingSurvivesTheWayThereAndBack) {
+  const Session session = unusualSession();
+  EXPECT_EQ(sessionFromText(sessionToText(session), "s.json"), session);
+  EXPECT_EQ(sessionFromText(sessionToText(Session{}), "s.json"), Session{});
+}
+
+TEST_F(SessionFileTest, AbsentKeysHaveTheirDefaults) {
+  EXPECT_EQ(sessionFromText(R"({"format": "umbrascope-session/1"})", "s.json"), Session{});
+}
+
+TEST_F(SessionFileTest, DepthAndMeshSourcesSurvive) {
+  Session depth;
+  depth.source = {SourceKind::DepthFile, "m.exr", "Z", -1.5, 40.0, {}};
+  EXPECT_EQ(sessionFromText(sessionToText(depth), "s.json"), depth);
+  Session mesh;
+  mesh.source = {SourceKind::MeshFile, "fan.ply", "", 0.0, 1.0, {}};
+  EXPECT_EQ(sessionFromText(sessionToText(mesh), "s.json"), mesh);
+}
+
+TEST_F(SessionFileTest, ErrorsNameFileAndKey) {
+  EXPECT_EQ(errorOf(sessionWith(R"("frame": {"kernel": {"radius": 200}})")),
+            "s.json: frame.kernel.radius: 200 is not right, it takes a whole number from 0 to 64");
+  EXPECT_EQ(errorOf(sessionWith(R"("frame": {"kernel": {"radios": 2}})")),
+            "s.json: frame.kernel.radios: there is no such key; did you mean 'radius'?");
+  EXPECT_EQ(errorOf(sessionWith(R"("frame": {"format": "hafl"})")),
+            "s.json: frame.format: format: 'hafl' is none of unorm8, unorm16, half, float, double");
+  EXPECT_EQ(errorOf(sessionWith(R"("parameters": {"vsm": {"min-varianse": 1e-5}})")),
+            "s.json: parameters.vsm.min-varianse: there is no parameter 'min-varianse'; did you "
+            "mean 'min-variance'?");
+  EXPECT_NE(errorOf(sessionWith(R"("parameters": {"esm": {"exponent": 1e9}})"))
+                .find("s.json: parameters.esm.exponent: "),
+            std::string::npos);
+  EXPECT_NE(errorOf(sessionWith(R"("light": {"position": [1, 2]})"))
+                .find("s.json: light.position: [1,2] is not right"),
+            std::string::npos);
+  EXPECT_NE(errorOf(sessionWith(R"("probe": [1.5, 2])")).find("s.json: probe: "),
+            std::string::npos);
+  EXPECT_NE(errorOf(sessionWith(R"("sice": [640, 480])")).find("s.json: sice: "),
+            std::string::npos);
+  EXPECT_NE(errorOf(sessionWith(R"("source": {"scene": "a", "mesh": "b"})")).find("exactly one"),
+            std::string::npos);
+}
+
+TEST_F(SessionFileTest, WhatIsNoSessionIsRefused) {
+  EXPECT_EQ(errorOf("[]"), "s.json: [] should be an object {…}");
+  EXPECT_NE(errorOf("{}").find("is no session"), std::string::npos);
+  EXPECT_NE(errorOf(R"({"format": "umbrascope-session/2"})").find("is no session"),
+            std::string::npos);
+  const std::string whole = sessionToText(unusualSession());
+  for (std::size_t length = 0; length + 2 < whole.size(); length += 7)
+    EXPECT_NE(errorOf(whole.substr(0, length)).find("is not JSON"), std::string::npos) << length;
+}
+
+TEST_F(SessionFileTest, PathsAreRelativeToTheFile) {
+  Session session;
+  session.source = {
+      SourceKind::MeshFile, (folder_ / "meshes" / "fan.ply").string(), "", 0.0, 1.0, {}};
+  writeSession(session, folder_ / "s.json");
+  std::ifstream stream(folder_ / "s.json");
+  const std::string text((std::istreambuf_iterator<char>(stream)), {});
+  EXPECT_NE(text.find("\"meshes/fan.ply\""), std::string::npos);
+  EXPECT_EQ(readSession(folder_ / "s.json"), session);
+}
+
+TEST_F(SessionFileTest, AFileThatIsNotThereIsNamed) {
+  try {
+    readSession(folder_ / "none.json");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("none.json"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace umbra
