@@ -13,6 +13,7 @@
 #include "ui/FrameFigures.h"
 #include "ui/MessageBanner.h"
 #include "ui/Prober.h"
+#include "ui/SceneForm.h"
 #include "ui/SceneView.h"
 #include "ui/widgets/Style.h"
 
@@ -104,6 +105,7 @@ void MainWindow::refresh() {
                             .arg(session.source.kind == SourceKind::Catalogue
                                      ? style::text(session.source.name)
                                      : title));
+  adjustButton_->setEnabled(sceneForm_->adjustable());
   const Scene* scene = controller_.document().content.scene.get();
   const bool onScene = scene != nullptr;
   // What a storage format does to a parameter matters more than where one is.

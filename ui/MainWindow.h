@@ -21,6 +21,7 @@ class ControlPane;
 class EvidencePanes;
 class PlotPane;
 class Prober;
+class SceneForm;
 class SceneView;
 
 class MainWindow : public QMainWindow {
@@ -99,7 +100,8 @@ class MainWindow : public QMainWindow {
   CentrePane* centre_;
   std::vector<QDockWidget*> docks_;
   QActionGroup *modes_, *techniques_;
-  QToolButton* sceneButton_ = nullptr;
+  QToolButton *sceneButton_ = nullptr, *adjustButton_ = nullptr;
+  SceneForm* sceneForm_ = nullptr;
   QMenu *sceneMenu_ = nullptr, *exportMenu_ = nullptr;
   QLabel *sceneText_, *frameText_, *mapText_;
   bool probeNextFrame_ = true;  // a scene was opened and nobody has pointed at anything yet

@@ -15,6 +15,7 @@
 #include "ui/LightForm.h"
 #include "ui/MainWindow.h"
 #include "ui/Prober.h"
+#include "ui/SceneForm.h"
 #include "ui/widgets/PlotPane.h"
 #include "ui/widgets/ProbeTable.h"
 #include "ui/widgets/Style.h"
@@ -216,11 +217,16 @@ void MainWindow::makeToolBar() {
     return button;
   };
   sceneButton_ = menuButton(tr("Scene"), sceneMenu_);
-  auto* lightMenu = new QMenu(this);
-  auto* lightAction = new QWidgetAction(lightMenu);
-  lightAction->setDefaultWidget(new LightForm(controller_));
-  lightMenu->addAction(lightAction);
-  menuButton(tr("Light"), lightMenu);
+  const auto formMenu = [this](QWidget* form) {
+    auto* menu = new QMenu(this);
+    auto* action = new QWidgetAction(menu);
+    action->setDefaultWidget(form);
+    menu->addAction(action);
+    return menu;
+  };
+  sceneForm_ = new SceneForm(controller_);
+  adjustButton_ = menuButton(tr("Adjust"), formMenu(sceneForm_));
+  menuButton(tr("Light"), formMenu(new LightForm(controller_)));
   bar->addWidget(new QLabel(tr("View")));
   bar->addActions(modes_->actions());
   auto* space = new QWidget;

@@ -13,7 +13,7 @@ const char* verdictOf(double error) {
   constexpr double visible = 1.0 / 255.0;
   if (error > visible) return "light bleeding";
   if (error < -visible) return "over-darkening";
-  return "agrees with the truth";
+  return "no visible error";
 }
 
 }  // namespace umbra

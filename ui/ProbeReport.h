@@ -24,7 +24,7 @@ struct ProbeReport {
 // That of technique `id`; null when the probe has none.
 const TechniqueResult* resultOf(const Probe& probe, std::string_view id);
 
-// "light bleeding", "over-darkening" or "agrees with the truth".
+// "light bleeding", "over-darkening" or "no visible error".
 const char* verdictOf(double error);
 
 }  // namespace umbra

@@ -2,6 +2,7 @@
 #include <QDockWidget>
 #include <QFile>
 #include <QImage>
+#include <QSlider>
 #include <QTest>
 #include <random>
 
@@ -12,6 +13,7 @@
 #include "ui/EvidencePanes.h"
 #include "ui/MessageBanner.h"
 #include "ui/Prober.h"
+#include "ui/SceneForm.h"
 #include "ui/SceneView.h"
 #include "ui/WindowMemory.h"
 #include "ui/widgets/PlotPane.h"
@@ -83,6 +85,26 @@ void WindowTest::anotherSceneOpensAndUndoBringsTheFirstBack() {
   key(Qt::Key_Z, Qt::ControlModifier);
   QVERIFY(window.controller().document().content == before.content);
   QVERIFY(window.view().upToDate());
+}
+
+void WindowTest::aSceneParameterRebuildsTheScene() {
+  Session session;
+  session.source.name = "three-planes";
+  MainWindow& window = open(session);
+  const Document before = window.controller().document();
+  auto* form = window.findChild<SceneForm*>();
+  QVERIFY(form && form->adjustable());
+  auto* slider = form->findChild<QSlider*>();
+  const std::string name = slider->objectName().toStdString();
+  slider->setValue(slider->value() > 100 ? 60 : 140);
+  settle();
+  const Document& after = window.controller().document();
+  QVERIFY(after.session.source.parameters.contains(name));
+  QVERIFY(after.content.scene != before.content.scene);
+  QVERIFY(after.session.probe == before.session.probe);
+  QVERIFY(window.prober().report().has_value());
+  key(Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(window.controller().document().content == before.content);
 }
 
 void WindowTest::aDepthFileIsProbedByTexel() {

@@ -36,6 +36,7 @@ class WindowTest : public QObject {
   void pictureAndPlotsAreWritten();
   void aBadFileLeavesTheSceneOpen();
   void anotherSceneOpensAndUndoBringsTheFirstBack();
+  void aSceneParameterRebuildsTheScene();
   void aDepthFileIsProbedByTexel();
   void aRestartBringsSessionAndLayoutBack();
   void theSmallestScreenHoldsEverything();
