@@ -22,6 +22,13 @@ namespace {
 
 constexpr double receiverSteps = 10000.0;
 
+// "Variance (VSM)" is VSM to those who have read its title in the list.
+QString shortTitle(const Technique& technique) {
+  const QString title = style::text(technique.info().title);
+  const int open = title.lastIndexOf('('), close = title.lastIndexOf(')');
+  return open >= 0 && close > open ? title.mid(open + 1, close - open - 1) : title;
+}
+
 }  // namespace
 
 CentrePane::CentrePane(SessionController& controller, SceneView& view, Prober& prober,
@@ -129,15 +136,15 @@ void CentrePane::showReport() {
   }
   const QString kernel = QString::fromStdString(describe(controller_.session().frame.kernel));
   const bool wrong = std::string_view(verdictOf(result->error)) != verdictOf(0.0);
-  view_.setReport(report,
-                  tr("%1, %2 · lit %3")
-                      .arg(style::text(result->technique->info().title), kernel,
-                           QString::number(result->visibility, 'f', 3)),
-                  tr("truth %1 · %2")
-                      .arg(QString::number(report->probe.reference, 'f', 3),
-                           report->facesLight ? tr(verdictOf(result->error))
-                                              : tr("turned away from the light")),
-                  wrong);
+  view_.setReport(
+      report,
+      tr("%1, %2 · lit %3")
+          .arg(shortTitle(*result->technique), kernel, QString::number(result->visibility, 'f', 3)),
+      tr("truth %1 · %2")
+          .arg(
+              QString::number(report->probe.reference, 'f', 3),
+              report->facesLight ? tr(verdictOf(result->error)) : tr("turned away from the light")),
+      wrong);
 }
 
 }  // namespace umbra
