@@ -116,7 +116,9 @@ bool SessionOptions::given(const CLI::App& command) const {
 }
 
 Session SessionOptions::session(const TechniqueCatalogue& catalogue) const {
-  return over(session_ ? readSession(*session_) : Session{}, catalogue);
+  Session start;
+  if (session_) start = readSession(*session_);
+  return over(std::move(start), catalogue);
 }
 
 Session SessionOptions::over(Session base, const TechniqueCatalogue& catalogue) const {
