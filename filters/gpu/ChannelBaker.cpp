@@ -12,16 +12,20 @@
 namespace umbra {
 namespace {
 
-constexpr GLenum textureFormat(StorageFormat format) {
+// One and two channels need not carry the other two or three along.
+constexpr GLenum textureFormat(StorageFormat format, std::size_t channels) {
+  const auto choose = [&](GLenum one, GLenum two, GLenum four) {
+    return channels == 1 ? one : channels == 2 ? two : four;
+  };
   switch (format) {
     case StorageFormat::Unorm8:
-      return GL_RGBA8;
+      return choose(GL_R8, GL_RG8, GL_RGBA8);
     case StorageFormat::Unorm16:
-      return GL_RGBA16;
+      return choose(GL_R16, GL_RG16, GL_RGBA16);
     case StorageFormat::Half:
-      return GL_RGBA16F;
+      return choose(GL_R16F, GL_RG16F, GL_RGBA16F);
     case StorageFormat::Float:
-      return GL_RGBA32F;
+      return choose(GL_R32F, GL_RG32F, GL_RGBA32F);
     case StorageFormat::Double:
       break;
   }
@@ -32,9 +36,15 @@ GLuint groups(int items, int groupSize) {
   return GLuint((items + groupSize - 1) / groupSize);
 }
 
-// For shaders that write through Store.glsl.
-void bindTarget(GLuint program, const gl::Texture& target) {
-  gl::setUniform(program, "umbraHalf", target.format() == GL_RGBA16F ? 1 : 0);
+// Store.glsl for this target. What is settled when a shader is compiled costs nothing later: a
+// software renderer executes both sides of a branch.
+std::string storeSource(const gl::Texture& target) {
+  const GLenum format = target.format();
+  const bool half = format == GL_R16F || format == GL_RG16F || format == GL_RGBA16F;
+  return std::string("#define UMBRA_HALF ") + (half ? "1\n" : "0\n") + Store_glsl;
+}
+
+void bindTarget(const gl::Texture& target) {
   glBindImageTexture(0, target.name(), 0, GL_TRUE, 0, GL_WRITE_ONLY, target.format());
 }
 
@@ -68,17 +78,17 @@ void ChannelBaker::encode(Technique& technique, StorageFormat format) {
   format_ = format;
   prefilterable_ = technique.info().prefilterable;
   filtered_ = false;
-  encoded_.require(textureFormat(format), depth_.width(), depth_.height(),
+  encoded_.require(textureFormat(format, layout_.size()), depth_.width(), depth_.height(),
                    layersFor(int(layout_.size())));
   const std::string name = "encode of " + std::string(technique.info().id);
   const GLuint program =
-      programs_.compute(name, computeSource(technique, std::string(Store_glsl) + Encode_comp_glsl));
+      programs_.compute(name, computeSource(technique, storeSource(encoded_) + Encode_comp_glsl));
   setTechniqueUniforms(program, technique, format);
   gl::setUniform(program, "umbraDepthMap", depthUnit);
   gl::setUniform(program, "umbraChannelMap", channelUnit);
   glUseProgram(program);
   glBindTextureUnit(depthUnit, depth_.name());
-  bindTarget(program, encoded_);
+  bindTarget(encoded_);
   glDispatchCompute(groups(depth_.width(), 8), groups(depth_.height(), 8), 1);
   finish();
 }
@@ -87,7 +97,7 @@ void ChannelBaker::prefilter(const Kernel& kernel) {
   filtered_ = prefilterable_ && kernel.effectiveRadius() > 0;
   if (!filtered_) return;
   const int width = encoded_.width(), height = encoded_.height(), layers = encoded_.layers();
-  half_.require(GL_RGBA32F, width, height, layers);
+  half_.require(textureFormat(StorageFormat::Float, layout_.size()), width, height, layers);
   reduced_.require(encoded_.format(), width, height, layers);
   reduceAlong(1, 0, encoded_, half_, kernel);
   reduceAlong(0, 1, half_, reduced_, kernel);
@@ -97,7 +107,7 @@ void ChannelBaker::reduceAlong(int x, int y, const gl::Texture& source, const gl
                                const Kernel& kernel) {
   const bool box = kernel.shape == KernelShape::Box;
   const std::string text = "#version 430\n#define UMBRA_LAYERS " + std::to_string(source.layers()) +
-                           "\n" + Store_glsl + Reduce_glsl +
+                           "\n" + storeSource(target) + Reduce_glsl +
                            (box ? BlockReduce_comp_glsl : WeightedReduce_comp_glsl);
   const GLuint program = programs_.compute(box ? "box reduction" : "weighted reduction", text);
   std::vector<float> signs(std::size_t(source.layers()) * 4, 0.0f);
@@ -109,7 +119,7 @@ void ChannelBaker::reduceAlong(int x, int y, const gl::Texture& source, const gl
   if (!box) gl::setUniform(program, "umbraWeights", halfWeights(kernel));
   glUseProgram(program);
   glBindTextureUnit(channelUnit, source.name());
-  bindTarget(program, target);
+  bindTarget(target);
   if (box) {
     const int lines = x ? source.height() : source.width();
     const int length = x ? source.width() : source.height();
@@ -174,7 +184,7 @@ std::vector<float> ChannelBaker::evaluate(const gl::Texture& reads, Technique& t
   glBindTextureUnit(depthUnit, depth_.name());
   glBindTextureUnit(channelUnit, channelMap().name());
   glBindTextureUnit(readUnit, reads.name());
-  bindTarget(program, result);
+  bindTarget(result);
   glDispatchCompute(groups(reads.width(), 8), groups(reads.height(), 8), 1);
   finish();
   return result.read(2);

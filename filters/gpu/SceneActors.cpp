@@ -12,6 +12,8 @@
 
 #include <cstring>
 
+#include "filters/gpu/ClosedBody.h"
+
 namespace umbra {
 namespace {
 
@@ -91,6 +93,7 @@ void SceneActors::setScene(const Scene& scene, vtkRenderer& renderer) {
     setMaterial(*actor->GetProperty(), object.material);
     renderer.AddActor(actor);
     objects_.push_back(actor);
+    if (isClosedBody(object.mesh)) closedBodies_.push_back(actor);
   }
   caster_ = toActor(toPolyData(mergedPositions(scene)));
   caster_->GetProperty()->LightingOff();
@@ -99,6 +102,7 @@ void SceneActors::setScene(const Scene& scene, vtkRenderer& renderer) {
 void SceneActors::removeFrom(vtkRenderer& renderer) {
   for (const auto& actor : objects_) renderer.RemoveActor(actor);
   objects_.clear();
+  closedBodies_.clear();
   // Not in the renderer, which would have told it to free its buffers.
   if (caster_ && renderer.GetRenderWindow())
     caster_->ReleaseGraphicsResources(renderer.GetVTKWindow());

@@ -21,12 +21,14 @@ class SceneActors {
   void removeFrom(vtkRenderer& renderer);
 
   const std::vector<vtkSmartPointer<vtkActor>>& objects() const { return objects_; }
+  // Those of them that bound solid bodies: from outside, their back faces cannot be seen.
+  const std::vector<vtkSmartPointer<vtkActor>>& closedBodies() const { return closedBodies_; }
   // Everything that casts a shadow as one mesh of positions: one draw from the light. Not in the
   // renderer, so that the camera's culling cannot remove it.
   vtkActor* caster() const { return caster_; }
 
  private:
-  std::vector<vtkSmartPointer<vtkActor>> objects_;
+  std::vector<vtkSmartPointer<vtkActor>> objects_, closedBodies_;
   vtkSmartPointer<vtkActor> caster_;
 };
 

@@ -1,6 +1,8 @@
 #include "filters/gpu/vtkUmbraFramePass.h"
 
 #include <vtkActor.h>
+#include <vtkBoundingBox.h>
+#include <vtkCamera.h>
 #include <vtkDefaultPass.h>
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLRenderWindow.h>
@@ -65,6 +67,7 @@ vtkUmbraFramePass::~vtkUmbraFramePass() = default;
 void vtkUmbraFramePass::SetScene(const SceneActors& actors) {
   this->SceneProps.clear();
   for (const auto& actor : actors.objects()) this->SceneProps.insert(actor);
+  this->ClosedBodies = actors.closedBodies();
   this->Caster = actors.caster();
   this->MakeStale(Stage::Depth);
 }
@@ -132,6 +135,7 @@ void vtkUmbraFramePass::DrawFrame(const vtkRenderState* state) {
   if (complete) {
     vtkRenderState scene(renderer);
     scene.SetPropArrayAndCount(own.data(), int(own.size()));
+    this->CullInsides(renderer);
     this->Shading->SetTechnique(this->Adapted.get());
     this->Shading->SetMaps(&this->Baker.depthMap(), &this->Baker.channelMap());
     this->Shading->SetLightFrame(this->Frame);
@@ -186,6 +190,16 @@ void vtkUmbraFramePass::BakeDepth(const vtkRenderState* state) {
   this->Depth->Render(state);
 }
 
+void vtkUmbraFramePass::CullInsides(vtkRenderer* renderer) {
+  vtkCamera* camera = renderer->GetActiveCamera();
+  for (const auto& body : this->ClosedBodies) {
+    // From within, and where the near plane may cut a body open, its inside is to be seen.
+    vtkBoundingBox bounds(body->GetBounds());
+    bounds.Inflate(2.0 * camera->GetClippingRange()[0]);
+    body->GetProperty()->SetBackfaceCulling(!bounds.ContainsPoint(camera->GetPosition()));
+  }
+}
+
 void vtkUmbraFramePass::Show(vtkRenderer* renderer) {
   vtkOpenGLState* gl = windowOf(renderer)->GetState();
   windowOf(renderer)->GetShaderCache()->ReleaseCurrentShader();
@@ -200,7 +214,8 @@ void vtkUmbraFramePass::Show(vtkRenderer* renderer) {
   gl->vtkglDepthMask(GL_TRUE);
 
   const std::string fragment =
-      std::string("#version 430\n#define UMBRA_CHANNELS 1\n") + ShadowMapRead_glsl + View_frag_glsl;
+      std::string("#version 430\n#define UMBRA_CHANNELS 1\n#define UMBRA_VIEW ") +
+      std::to_string(viewNumber(this->Settings.view)) + "\n" + ShadowMapRead_glsl + View_frag_glsl;
   const GLuint program = this->Programs.screen("view", FullScreen_vert_glsl, fragment);
   int width = 0, height = 0, left = 0, bottom = 0;
   renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
@@ -213,7 +228,6 @@ void vtkUmbraFramePass::Show(vtkRenderer* renderer) {
     gl::setUniform(program, textures[unit].first, unit);
     glBindTextureUnit(GLuint(unit), textures[unit].second);
   }
-  gl::setUniform(program, "umbraView", viewNumber(this->Settings.view));
   gl::setUniform3(program, "umbraNoErrorColour", noErrorColour);
   gl::setUniform3(program, "umbraBleedingColour", bleedingColour);
   gl::setUniform3(program, "umbraDarkeningColour", darkeningColour);

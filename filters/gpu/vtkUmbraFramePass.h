@@ -63,6 +63,7 @@ class vtkUmbraFramePass : public vtkRenderPass {
   void DrawFrame(const vtkRenderState* state);
   void Bake(const vtkRenderState* state);
   void BakeDepth(const vtkRenderState* state);
+  void CullInsides(vtkRenderer* renderer);
   void Show(vtkRenderer* renderer);
 
   vtkSmartPointer<vtkUmbraDepthPass> Depth;
@@ -74,6 +75,7 @@ class vtkUmbraFramePass : public vtkRenderPass {
   gl::PassTimer Timer;
 
   std::unordered_set<const vtkProp*> SceneProps;
+  std::vector<vtkSmartPointer<vtkActor>> ClosedBodies;
   vtkSmartPointer<vtkActor> Caster;
   LightFrame Frame;
   bool HasLightFrame = false;

@@ -1,5 +1,6 @@
 #include "filters/gpu/vtkUmbraShadingPass.h"
 
+#include <vtkBoundingBox.h>
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
 #include <vtkObjectFactory.h>
@@ -11,12 +12,31 @@
 #include <vtkShaderProgram.h>
 #include <vtkTextureUnitManager.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "ShadeDeclarations_glsl.h"
 #include "ShadeImplementation_glsl.h"
 #include "filters/gpu/LightUniforms.h"
 #include "filters/gpu/TechniqueShader.h"
 
 namespace umbra {
+namespace {
+
+// Grounds and walls lie behind what stands before them: drawn last, most of them is hidden and
+// never shaded.
+std::vector<vtkProp*> smallestFirst(const vtkRenderState* state) {
+  vtkProp** first = state->GetPropArray();
+  std::vector<vtkProp*> props(first, first + state->GetPropArrayCount());
+  const auto size = [](vtkProp* prop) {
+    return vtkBoundingBox(prop->GetBounds()).GetDiagonalLength();
+  };
+  std::stable_sort(props.begin(), props.end(),
+                   [&](vtkProp* a, vtkProp* b) { return size(a) < size(b); });
+  return props;
+}
+
+}  // namespace
 
 vtkStandardNewMacro(vtkUmbraShadingPass);
 
@@ -24,12 +44,24 @@ vtkUmbraShadingPass::vtkUmbraShadingPass() {
   this->ActiveDrawBuffers = 2;
 }
 
-void vtkUmbraShadingPass::SetTechnique(Technique* technique) {
-  this->Shaded = technique;
-  std::string text = techniqueSource(*technique);
-  if (text == this->TechniqueText) return;
-  this->TechniqueText = std::move(text);
+void vtkUmbraShadingPass::PrepareText() {
+  const bool spot = this->Frame.kind == LightKind::Spot;
+  std::string text = std::string("#define UMBRA_SPOT ") + (spot ? "1\n" : "0\n") +
+                     techniqueSource(*this->Shaded) + ShadeDeclarations_glsl;
+  if (text == this->Declarations) return;
+  this->Declarations = std::move(text);
   this->TextTime.Modified();
+}
+
+void vtkUmbraShadingPass::PrepareTransforms(vtkRenderer* renderer) {
+  Eigen::Matrix4d worldToView;
+  vtkMatrix4x4* view = renderer->GetActiveCamera()->GetModelViewTransformMatrix();
+  for (int i = 0; i < 16; ++i) worldToView(i / 4, i % 4) = view->GetElement(i / 4, i % 4);
+  this->ViewToLight = (this->Frame.worldToLight * worldToView.inverse()).cast<float>();
+  const bool spot = this->Frame.kind == LightKind::Spot;
+  Eigen::Vector4d toLight(0.0, 0.0, 0.0, spot ? 1.0 : 0.0);
+  toLight.head<3>() = spot ? this->Frame.position : Eigen::Vector3d(-this->Frame.direction);
+  this->ToLight = (worldToView * toLight).cast<float>();
 }
 
 void vtkUmbraShadingPass::SetMaps(const gl::Texture* depth, const gl::Texture* channels) {
@@ -67,10 +99,8 @@ void vtkUmbraShadingPass::Render(const vtkRenderState* state) {
   int width = 0, height = 0, left = 0, bottom = 0;
   renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
 
-  Eigen::Matrix4d worldToView;
-  vtkMatrix4x4* view = renderer->GetActiveCamera()->GetModelViewTransformMatrix();
-  for (int i = 0; i < 16; ++i) worldToView(i / 4, i % 4) = view->GetElement(i / 4, i % 4);
-  this->ViewToLight = (this->Frame.worldToLight * worldToView.inverse()).cast<float>();
+  this->PrepareText();
+  this->PrepareTransforms(renderer);
 
   const vtkOpenGLState::ScopedglViewport viewport(gl);
   const vtkOpenGLState::ScopedglScissor scissor(gl);
@@ -97,8 +127,8 @@ void vtkUmbraShadingPass::Render(const vtkRenderState* state) {
   glBindTextureUnit(GLuint(this->ChannelUnit), this->ChannelMap->name());
   this->PreRender(state);
   this->NumberOfRenderedProps = 0;
-  for (int i = 0; i < state->GetPropArrayCount(); ++i)
-    this->NumberOfRenderedProps += state->GetPropArray()[i]->RenderOpaqueGeometry(renderer);
+  for (vtkProp* prop : smallestFirst(state))
+    this->NumberOfRenderedProps += prop->RenderOpaqueGeometry(renderer);
   this->PostRender(state);
   units->Free(this->ChannelUnit);
   units->Free(this->DepthUnit);
@@ -117,9 +147,8 @@ bool vtkUmbraShadingPass::PreReplaceShaderValues(std::string&, std::string&,
                                                  std::string& fragmentShader, vtkAbstractMapper*,
                                                  vtkProp*) {
   // The mapper then replaces the markers that stay in the text by its own lighting.
-  vtkShaderProgram::Substitute(
-      fragmentShader, "//VTK::Light::Dec",
-      this->TechniqueText + ShadeDeclarations_glsl + "\n//VTK::Light::Dec\n", false);
+  vtkShaderProgram::Substitute(fragmentShader, "//VTK::Light::Dec",
+                               this->Declarations + "\n//VTK::Light::Dec\n", false);
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::Light::Impl",
                                ShadeImplementation_glsl + std::string("\n//VTK::Light::Impl\n"),
                                false);
@@ -156,6 +185,7 @@ bool vtkUmbraShadingPass::SetShaderParameters(vtkShaderProgram* program, vtkAbst
   gl::setUniform(name, "umbraDepthMap", this->DepthUnit);
   gl::setUniform(name, "umbraChannelMap", this->ChannelUnit);
   gl::setUniformMatrix4(name, "umbraViewToLight", this->ViewToLight.data());
+  gl::setUniform4(name, "umbraToLight", {this->ToLight.data(), 4});
   gl::setUniform(name, "umbraConstantBias", float(this->Settings.bias.constant));
   gl::setUniform(name, "umbraSlopeTexels", float(this->BiasTexels()));
   setLightUniforms(name, this->Frame);

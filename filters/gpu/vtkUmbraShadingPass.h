@@ -22,7 +22,7 @@ class vtkUmbraShadingPass : public vtkOpenGLRenderPass {
   vtkTypeMacro(vtkUmbraShadingPass, vtkOpenGLRenderPass);
 
   // All of these must outlive the next Render.
-  void SetTechnique(Technique* technique);
+  void SetTechnique(Technique* technique) { this->Shaded = technique; }
   void SetMaps(const gl::Texture* depth, const gl::Texture* channels);
   void SetLightFrame(const LightFrame& frame) { this->Frame = frame; }
   void SetSettings(const FrameSettings& settings) { this->Settings = settings; }
@@ -55,16 +55,19 @@ class vtkUmbraShadingPass : public vtkOpenGLRenderPass {
 
  private:
   void PrepareFramebuffer(vtkRenderer* renderer, int width, int height);
+  void PrepareText();
+  void PrepareTransforms(vtkRenderer* renderer);
   double BiasTexels() const;
 
   Technique* Shaded = nullptr;
-  std::string TechniqueText;
+  std::string Declarations;  // the injected text
   vtkTimeStamp TextTime;
   const gl::Texture* DepthMap = nullptr;
   const gl::Texture* ChannelMap = nullptr;
   LightFrame Frame;
   FrameSettings Settings;
   Eigen::Matrix4f ViewToLight = Eigen::Matrix4f::Identity();
+  Eigen::Vector4f ToLight = Eigen::Vector4f::UnitZ();  // as ShadeDeclarations.glsl has it
   int DepthUnit = 0, ChannelUnit = 1;
 
   gl::Texture Colour, Surfaces, Depth;

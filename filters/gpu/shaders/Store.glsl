@@ -1,8 +1,7 @@
-// Stores of channels. Drivers may convert to 16-bit floats by any rounding they like (some cut the
+// Stores of channels, for UMBRA_HALF 1 into 16-bit floats. Drivers may convert to 16-bit floats by any rounding they like (some cut the
 // digits off); here every value is rounded to the nearest half first, as the reference does.
 
 layout(binding = 0) writeonly uniform image2DArray umbraTarget;
-uniform int umbraHalf;  // 1: the target holds 16-bit floats
 
 float umbraNearestHalf(float value) {
   float size = abs(value);
@@ -16,7 +15,8 @@ float umbraNearestHalf(float value) {
 }
 
 void umbraStoreTexel(ivec3 texel, vec4 value) {
-  if (umbraHalf != 0)
-    for (int c = 0; c < 4; ++c) value[c] = umbraNearestHalf(value[c]);
+#if UMBRA_HALF
+  for (int c = 0; c < 4; ++c) value[c] = umbraNearestHalf(value[c]);
+#endif
   imageStore(umbraTarget, texel, value);
 }

@@ -1,10 +1,9 @@
 // Shows the shaded picture, or one quantity of it, and hands the scene's depth to what is drawn
-// over it.
+// over it. UMBRA_VIEW: 0 shaded, 1 visibility, 2 error, 3 depth.
 
 uniform sampler2D umbraColour;    // the shaded picture
 uniform sampler2D umbraSurfaces;  // u, v, z_r, visibility; u < 0 where there is no surface
 uniform sampler2D umbraDepth;     // of the camera, [0,1]
-uniform int umbraView;            // 0 shaded, 1 visibility, 2 error, 3 depth
 uniform ivec2 umbraOrigin;        // of the viewport in the window, pixels
 uniform vec3 umbraNoErrorColour;
 uniform vec3 umbraBleedingColour;
@@ -27,17 +26,21 @@ float umbraError(vec4 surface) {
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy) - umbraOrigin;
-  vec4 surface = texelFetch(umbraSurfaces, pixel, 0);
-  if (surface.x < 0.0) discard;  // the background is the window's
+  float depth = texelFetch(umbraDepth, pixel, 0).r;
+  if (depth == 1.0) discard;  // the background is the window's
+  gl_FragDepth = depth;
   vec4 colour = texelFetch(umbraColour, pixel, 0);
-  gl_FragDepth = texelFetch(umbraDepth, pixel, 0).r;
   umbraShown = vec4(colour.rgb, 1.0);
-  if (umbraView == 0) return;
-  if (umbraView == 1) umbraShown.rgb = vec3(surface.z < 0.0 ? 0.0 : surface.w);
-  if (umbraView == 2) {
-    // A little of the shading stays, without hue, so that shapes can be told apart.
-    float shading = mix(0.7, 1.0, smoothstep(0.0, 0.8, dot(colour.rgb, vec3(0.30, 0.59, 0.11))));
-    umbraShown.rgb = shading * umbraErrorColour(umbraError(surface));
-  }
-  if (umbraView == 3) umbraShown.rgb = vec3(1.0 - abs(surface.z));
+#if UMBRA_VIEW != 0
+  vec4 surface = texelFetch(umbraSurfaces, pixel, 0);
+#endif
+#if UMBRA_VIEW == 1
+  umbraShown.rgb = vec3(surface.z < 0.0 ? 0.0 : surface.w);
+#elif UMBRA_VIEW == 2
+  // A little of the shading stays, without hue, so that shapes can be told apart.
+  float shading = mix(0.7, 1.0, smoothstep(0.0, 0.8, dot(colour.rgb, vec3(0.30, 0.59, 0.11))));
+  umbraShown.rgb = shading * umbraErrorColour(umbraError(surface));
+#elif UMBRA_VIEW == 3
+  umbraShown.rgb = vec3(1.0 - abs(surface.z));
+#endif
 }

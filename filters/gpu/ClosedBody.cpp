@@ -1,0 +1,59 @@
+#include "filters/gpu/ClosedBody.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace umbra {
+namespace {
+
+// For each position the first one that equals it.
+std::vector<std::uint32_t> weld(const std::vector<Eigen::Vector3f>& positions) {
+  std::map<std::tuple<float, float, float>, std::uint32_t> first;
+  std::vector<std::uint32_t> welded;
+  for (const Eigen::Vector3f& p : positions)
+    welded.push_back(
+        first.try_emplace({p.x(), p.y(), p.z()}, std::uint32_t(welded.size())).first->second);
+  return welded;
+}
+
+// The connected part that a corner belongs to, by its representative; paths are halved on the way.
+std::uint32_t partOf(std::vector<std::uint32_t>& parents, std::uint32_t corner) {
+  while (parents[corner] != corner) corner = parents[corner] = parents[parents[corner]];
+  return corner;
+}
+
+}  // namespace
+
+bool isClosedBody(const Mesh& mesh) {
+  const std::vector<std::uint32_t> welded = weld(mesh.positions);
+  std::vector<std::uint32_t> parents(welded.size());
+  std::iota(parents.begin(), parents.end(), 0u);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (const auto& triangle : mesh.triangles) {
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t from = welded[triangle[i]], to = welded[triangle[(i + 1) % 3]];
+      edges.emplace_back(from, to);
+      parents[partOf(parents, from)] = partOf(parents, to);
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  if (std::adjacent_find(edges.begin(), edges.end()) != edges.end()) return false;
+  for (const auto& [from, to] : edges)
+    if (!std::binary_search(edges.begin(), edges.end(), std::pair(to, from))) return false;
+
+  std::map<std::uint32_t, double> volumes;  // six times that of each part
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Eigen::Vector3d p = mesh.positions[a].cast<double>();
+    const Eigen::Vector3d q = mesh.positions[b].cast<double>();
+    const Eigen::Vector3d r = mesh.positions[c].cast<double>();
+    volumes[partOf(parents, welded[a])] += p.dot(q.cross(r));
+  }
+  return std::all_of(volumes.begin(), volumes.end(),
+                     [](const auto& part) { return part.second > 0.0; });
+}
+
+}  // namespace umbra
