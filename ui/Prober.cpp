@@ -4,9 +4,9 @@
 #include <cmath>
 #include <exception>
 
+#include "analysis/WorstPixel.h"
 #include "ui/SceneView.h"
 #include "ui/SessionController.h"
-#include "ui/WorstPixel.h"
 
 namespace umbra {
 namespace {
@@ -80,7 +80,7 @@ void Prober::pinWorstBleeding() {
     if (!worst) return;
     const QSize size = view_.pixels();
     controller_.amend([&](Session& session) {
-      session.probe = *worst;
+      session.probe = Pixel{worst->x, worst->y};
       session.width = size.width();
       session.height = size.height();
     });

@@ -1,7 +1,7 @@
 #include "app/display/RendererFrame.h"
 
+#include "analysis/WorstPixel.h"
 #include "filters/gpu/HeadlessWindow.h"
-#include "ui/WorstPixel.h"
 
 namespace umbra {
 
@@ -50,7 +50,9 @@ Image<float> RendererFrame::channels(BakeStage stage) {
 
 std::optional<Pixel> RendererFrame::plainestBleeding() {
   const Image<float> points = surfaces();
-  return worstBleeding(points, reference());
+  const auto worst = worstBleeding(points, reference());
+  if (!worst) return std::nullopt;
+  return Pixel{worst->x, worst->y};
 }
 
 }  // namespace umbra

@@ -4,11 +4,11 @@
 #include <vtkRenderer.h>
 #include <QTest>
 
+#include "analysis/WorstPixel.h"
 #include "tests/window/WindowTest.h"
 #include "ui/Footprint.h"
 #include "ui/LightHandle.h"
 #include "ui/SceneProjection.h"
-#include "ui/WorstPixel.h"
 
 namespace umbra {
 

@@ -1,4 +1,4 @@
-#include "ui/WorstPixel.h"
+#include "analysis/WorstPixel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,8 +50,9 @@ double bend(const Image<float>& surfaces, int x, int y) {
 }
 
 // The pixel with the largest error around the middle of a spot.
-Pixel worstOfSpot(const Image<float>& surfaces, const Image<float>& reference, Pixel middle) {
-  Pixel worst = middle;
+PicturePixel worstOfSpot(const Image<float>& surfaces, const Image<float>& reference,
+                         PicturePixel middle) {
+  PicturePixel worst = middle;
   const auto error = [&](int x, int y) { return surfaces(x, y, 3) - reference(x, y); };
   for (int y = middle.y - reach; y <= middle.y + reach; ++y)
     for (int x = middle.x - reach; x <= middle.x + reach; ++x)
@@ -61,14 +62,15 @@ Pixel worstOfSpot(const Image<float>& surfaces, const Image<float>& reference, P
 
 }  // namespace
 
-std::optional<Pixel> worstBleeding(const Image<float>& surfaces, const Image<float>& reference) {
+std::optional<PicturePixel> worstBleeding(const Image<float>& surfaces,
+                                          const Image<float>& reference) {
   const int width = surfaces.width(), height = surfaces.height();
   const SpotMeans errors(width, height, [&](int x, int y) {
     return double(surfaces(x, y, 3)) - double(reference(x, y));
   });
   const SpotMeans truths(width, height, [&](int x, int y) { return double(reference(x, y)); });
   const SpotMeans bends(width, height, [&](int x, int y) { return bend(surfaces, x, y); });
-  std::optional<Pixel> inUmbra, anywhere;
+  std::optional<PicturePixel> inUmbra, anywhere;
   double mostInUmbra = visible, most = visible;
   // Away from the border, so that there is something to see around the spot.
   const int air = std::max(reach, std::min(width, height) / 12);
@@ -78,11 +80,11 @@ std::optional<Pixel> worstBleeding(const Image<float>& surfaces, const Image<flo
       if (error <= std::min(most, mostInUmbra) || bends.about(x, y) > smooth) continue;
       if (error > most) {
         most = error;
-        anywhere = Pixel{x, y};
+        anywhere = PicturePixel{x, y};
       }
       if (error > mostInUmbra && truths.about(x, y) < umbra) {
         mostInUmbra = error;
-        inUmbra = Pixel{x, y};
+        inUmbra = PicturePixel{x, y};
       }
     }
   if (!inUmbra && !anywhere) return std::nullopt;
