@@ -1,10 +1,10 @@
 #include "app/OpenWindow.h"
 
-#include <cstdlib>
 #include <filesystem>
 #include <vector>
 
 #include "app/SceneSources.h"
+#include "app/WindowSystem.h"
 #include "app/display/DisplayLibrary.h"
 #include "datasets/DepthFile.h"
 #include "datasets/SceneCatalogue.h"
@@ -17,14 +17,6 @@ namespace umbra {
 namespace fs = std::filesystem;
 
 namespace {
-
-bool hasDisplay() {
-  const auto set = [](const char* name) {
-    const char* value = std::getenv(name);
-    return value && *value;
-  };
-  return set("DISPLAY") || set("WAYLAND_DISPLAY");
-}
 
 bool isScene(const std::string& name) {
   for (const SceneInfo& info : sceneCatalogue())
@@ -87,10 +79,10 @@ Session OpenWindow::opened() const {
 
 int OpenWindow::run(int& argc, char** argv) const {
   const Session session = opened();
-  if (!hasDisplay())
-    throw Error(ErrorKind::NoOpenGL,
-                "no display (DISPLAY and WAYLAND_DISPLAY are not set): the window cannot open; "
-                "`umbrascope render -o picture.png` draws without one");
+  if (const std::string obstacle = windowObstacle(); !obstacle.empty())
+    throw Error(ErrorKind::NoOpenGL, "no display (" + obstacle +
+                                         "): the window cannot open; `umbrascope render -o "
+                                         "picture.png` draws without one");
   return loadDisplay()->runWindow(argc, argv, session);
 }
 

@@ -61,8 +61,8 @@ INSTANTIATE_TEST_SUITE_P(
                              {"--scene", "three-planes", "--technique", "power-cdf", "--view",
                               "visibility"}},
                     Baseline{"two-planes-esm", {"--scene", "two-planes", "--technique", "esm"}}),
-    [](const auto& info) {
-      std::string name = info.param.name;
+    [](const auto& picture) {
+      std::string name = picture.param.name;
       std::replace(name.begin(), name.end(), '-', '_');
       return name;
     });

@@ -178,6 +178,9 @@ TEST_F(Errors, AWindowWithoutADisplay) {
   expectError(5, "umbrascope render", {"three-planes"});
   expectError(5, "umbrascope render", {map});
   expectError(3, "none.exr", {folder.file("none.exr")});
+  // Displays are numbered to 65535 − 6000 at most: no server can be there.
+  expectError(5, ":98765, where no X server answers", {"three-planes"},
+              {.environment = {{"DISPLAY", ":98765"}}});
 }
 
 TEST_F(Errors, AnInterruptLeavesNothingBehind) {
