@@ -8,27 +8,30 @@ namespace umbra {
 
 std::vector<std::shared_ptr<Technique>> makeTechniques(const Session& session,
                                                        const TechniqueCatalogue& catalogue,
-                                                       const std::vector<std::string>& ids) {
+                                                       const TechniqueChoice& choice) {
   const StorageFormat format = session.frame.map.format;
   std::vector<std::shared_ptr<Technique>> techniques;
-  for (const std::string& id : ids) {
+  for (const std::string& id : choice.ids) {
     std::vector<std::string> notices;
-    techniques.push_back(techniqueOf(session, catalogue, id, &notices));
+    std::shared_ptr<Technique> technique = techniqueOf(session, catalogue, id, &notices);
+    if (const std::string refusal = technique->refusal(format); !refusal.empty()) {
+      if (!choice.all)
+        throw Error(ErrorKind::BadCommandLine,
+                    "--format " + std::string(nameOf(format)) + ": " + refusal);
+      spdlog::warn("left out: {}", refusal);
+      continue;
+    }
     for (const std::string& notice : notices) spdlog::warn("{}: {}", id, notice);
-    const std::string refusal = techniques.back()->refusal(format);
-    if (!refusal.empty())
-      throw Error(ErrorKind::BadCommandLine,
-                  "--format " + std::string(nameOf(format)) + ": " + id + ": " + refusal);
+    techniques.push_back(std::move(technique));
   }
   return techniques;
 }
 
 void checkGpuFormat(const Session& session) {
-  const StorageFormat format = session.frame.map.format;
-  if (format != StorageFormat::Half && format != StorageFormat::Float)
+  if (session.frame.map.format == StorageFormat::Double)
     throw Error(ErrorKind::BadCommandLine,
-                "--format: " + std::string(nameOf(format)) +
-                    " is only for depth maps, a scene takes half or float");
+                "--format: double is only for depth maps, since the GPU stores 32 bits at most; a "
+                "scene takes unorm8, unorm16, half or float");
 }
 
 }  // namespace umbra

@@ -2,19 +2,20 @@
 #pragma once
 
 #include <memory>
-#include <string>
 #include <vector>
 
+#include "app/options/SessionOptions.h"
 #include "datasets/Session.h"
 #include "filters/core/Technique.h"
 
 namespace umbra {
 
-// One technique per id; says in the log what the storage format limited. Throws BadCommandLine
-// where a technique cannot be stored in the session's format, and says why.
+// One technique per id; says in the log what the storage format limited. One that cannot be stored
+// in the session's format is left out of all of them, with a line in the log that says why; where
+// it was named it is an error (BadCommandLine).
 std::vector<std::shared_ptr<Technique>> makeTechniques(const Session& session,
                                                        const TechniqueCatalogue& catalogue,
-                                                       const std::vector<std::string>& ids);
+                                                       const TechniqueChoice& choice);
 
 // Throws BadCommandLine unless the format is one that textures on the GPU take.
 void checkGpuFormat(const Session& session);

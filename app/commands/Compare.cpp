@@ -50,7 +50,8 @@ CompareCommand::CompareCommand(CLI::App& command) {
 }
 
 std::vector<std::shared_ptr<Technique>> CompareCommand::techniques(const Session& session) const {
-  return makeTechniques(session, catalogue, options.techniques(catalogue, idsOf(catalogue)));
+  return makeTechniques(session, catalogue,
+                        options.techniques(catalogue, everyTechnique(catalogue)));
 }
 
 void CompareCommand::run() const {

@@ -50,10 +50,11 @@ BakeStage EncodeCommand::wanted() const {
 }
 
 std::vector<std::shared_ptr<Technique>> EncodeCommand::techniques(const Session& session) const {
-  std::vector<std::string> ids;
-  for (const std::string& id : options.techniques(catalogue, {session.technique}))
-    if (catalogue.make(id)->info().prefilterable) ids.push_back(id);
-  return makeTechniques(session, catalogue, ids);
+  TechniqueChoice choice = options.techniques(catalogue, {{session.technique}});
+  std::erase_if(choice.ids, [this](const std::string& id) {
+    return !catalogue.make(id)->info().prefilterable;
+  });
+  return makeTechniques(session, catalogue, choice);
 }
 
 void EncodeCommand::run() const {

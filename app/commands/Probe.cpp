@@ -49,7 +49,8 @@ ProbeCommand::ProbeCommand(CLI::App& command) {
 }
 
 std::vector<std::shared_ptr<Technique>> ProbeCommand::techniques(const Session& session) const {
-  return makeTechniques(session, catalogue, options.techniques(catalogue, idsOf(catalogue)));
+  return makeTechniques(session, catalogue,
+                        options.techniques(catalogue, everyTechnique(catalogue)));
 }
 
 int binsOf(const std::optional<std::string>& text) {

@@ -40,7 +40,7 @@ RenderCommand::RenderCommand(CLI::App& command) {
 }
 
 std::vector<std::shared_ptr<Technique>> RenderCommand::techniques(const Session& session) const {
-  return makeTechniques(session, catalogue, options.techniques(catalogue, {session.technique}));
+  return makeTechniques(session, catalogue, options.techniques(catalogue, {{session.technique}}));
 }
 
 void RenderCommand::run() const {

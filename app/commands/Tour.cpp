@@ -51,7 +51,7 @@ void TourCommand::run() const {
   const Session session = options.session(catalogue);
   checkGpuFormat(session);
   const auto chosen = makeTechniques(
-      session, catalogue, options.techniques(catalogue, {"hard", "pcf", "vsm", "power-cdf"}));
+      session, catalogue, options.techniques(catalogue, {{"hard", "pcf", "vsm", "power-cdf"}}));
   const std::shared_ptr<Technique> suspect = suspectOf(chosen);
   const auto scene = std::make_shared<const Scene>(loadScene(session.source));
   const std::unique_ptr<Display> display = loadDisplay();

@@ -73,7 +73,7 @@ void SessionOptions::addMap(CLI::App& command) {
   };
   add("--map-size", mapSize_, "N", "Texels a side, 16 to 8192 (default 1024)");
   add("--format", format_, "NAME",
-      "Channel storage: half or float (default); on a depth map also unorm8, unorm16, double");
+      "Channel storage: unorm8, unorm16, half or float (default); a depth map also takes double");
   add("--filter", filter_, "NAME", "Read of the shaded frame: point or bilinear (default)");
   add("--anisotropy", anisotropy_, "N", "Anisotropic samples of a read; 1");
   add("--msaa", msaa_, "N", "Samples per shadow-map texel; 1");
@@ -167,10 +167,14 @@ std::vector<std::string> idsOf(const TechniqueCatalogue& catalogue) {
   return ids;
 }
 
-std::vector<std::string> SessionOptions::techniques(
-    const TechniqueCatalogue& catalogue, const std::vector<std::string>& fallback) const {
+TechniqueChoice everyTechnique(const TechniqueCatalogue& catalogue) {
+  return {idsOf(catalogue), true};
+}
+
+TechniqueChoice SessionOptions::techniques(const TechniqueCatalogue& catalogue,
+                                           const TechniqueChoice& fallback) const {
   if (!techniques_) return fallback;
-  if (*techniques_ == "all") return idsOf(catalogue);
+  if (*techniques_ == "all") return everyTechnique(catalogue);
   std::vector<std::string> ids;
   for (const std::string& id : split(*techniques_, ',')) {
     if (!catalogue.has(id)) {
@@ -185,11 +189,11 @@ std::vector<std::string> SessionOptions::techniques(
   }
   if (ids.empty())
     throw Error(ErrorKind::BadCommandLine, "--technique: is empty, it takes A[,B...] or all");
-  return ids;
+  return {ids, false};
 }
 
 void SessionOptions::editTechniques(Session& session, const TechniqueCatalogue& catalogue) const {
-  session.technique = techniques(catalogue, {session.technique}).front();
+  session.technique = techniques(catalogue, {{session.technique}}).ids.front();
   for (const std::string& setting : settings_) {
     const auto [name, text] = assignmentFrom(setting, "--set");
     const std::size_t dot = name.find('.');

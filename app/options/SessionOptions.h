@@ -10,6 +10,14 @@
 
 namespace umbra {
 
+struct TechniqueChoice {
+  std::vector<std::string> ids;
+  bool all = false;  // of the catalogue, as opposed to named one by one
+};
+
+// Every technique there is.
+TechniqueChoice everyTechnique(const TechniqueCatalogue& catalogue);
+
 class SessionOptions {
  public:
   SessionOptions() = default;
@@ -26,8 +34,8 @@ class SessionOptions {
   Session over(Session base, const TechniqueCatalogue& catalogue) const;
 
   // The ids of --technique in the order given, each once. `fallback` where the option is absent.
-  std::vector<std::string> techniques(const TechniqueCatalogue& catalogue,
-                                      const std::vector<std::string>& fallback) const;
+  TechniqueChoice techniques(const TechniqueCatalogue& catalogue,
+                             const TechniqueChoice& fallback) const;
   bool namesSource() const { return scene_ || depth_; }
   bool namesSession() const { return session_.has_value(); }
   bool namesFormat() const { return format_.has_value(); }

@@ -80,6 +80,17 @@ TEST_F(Errors, FeaturesThatThisVersionHasNot) {
   expectError(2, "point, bilinear", probe({"--filter", "sat"}));
 }
 
+TEST_F(Errors, FormatsThatATechniqueCannotBeStoredIn) {
+  for (const char* format : {"unorm8", "unorm16"}) {
+    expectError(2, "esm stores exponentials",
+                probe({"--technique", "vsm,esm", "--format", format}));
+    expectError(2, "use half or float",
+                {"render", "--scene", "two-planes", "--technique", "evsm4", "--format", format,
+                 "-o", folder.file("p.png")});
+  }
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"m.exr"});
+}
+
 TEST_F(Errors, WhatAProbeNeeds) {
   expectError(2, "--receiver", {"probe", "--depth", map, "--texel", "8,9"});
   expectError(2, "--texel", {"probe", "--depth", map, "--receiver", "0.5"});
@@ -134,7 +145,7 @@ TEST_F(Errors, ScenesAndSessionsThatAreNone) {
   expectError(3, "broken.json", {"render", "--session", folder.file("broken.json"), "-o", out});
   expectError(2, "--light", {"render", "--scene", "two-planes", "--light", "sun:1,2,3", "-o", out});
   expectError(2, "--camera", {"render", "--scene", "two-planes", "--camera", "1,2", "-o", out});
-  expectError(2, "half or float",
+  expectError(2, "unorm8, unorm16, half or float",
               {"render", "--scene", "two-planes", "--format", "double", "-o", out});
   EXPECT_FALSE(std::filesystem::exists(out));
 }

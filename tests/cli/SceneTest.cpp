@@ -103,6 +103,44 @@ TEST(SceneEncode, StoresTheDepthMapThatTheProbeReads) {
     }
 }
 
+TEST(SceneEncode, NormalisedFormatsStoreEvenSteps) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("c.exr");
+  const std::pair<const char*, double> formats[] = {{"unorm8", 255.0}, {"unorm16", 65535.0}};
+  for (const auto& [format, steps] : formats) {
+    const Outcome outcome = run(with(
+        {"encode", "--scene", "two-planes", "--technique", "vsm", "--format", format, "-o", file},
+        small));
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const DepthMap m2 = readDepthFile(file, "vsm.M2");
+    std::set<double> seen;
+    for (double value : m2.values()) {
+      // Read back as a float: a step times the rounded reciprocal of their number, rounded again.
+      EXPECT_NEAR(value * steps, std::round(value * steps), steps * std::ldexp(1.0, -23));
+      seen.insert(value);
+    }
+    EXPECT_GT(seen.size(), 2u) << format;  // the penumbra is filtered, not only two planes
+  }
+}
+
+TEST(SceneFormats, AllLeavesOutWhatCannotBeStoredAndSaysWhy) {
+  for (const Arguments& command :
+       {Arguments{"compare", "--json"}, Arguments{"probe", "--json", "--pixel", "worst"}}) {
+    const Outcome outcome = run(with(
+        with(command, {"--scene", "three-planes", "--technique", "all", "--format", "unorm16"}),
+        small));
+    const Json object = outcome.json();
+    std::set<std::string> names;
+    for (const Json& row : object["techniques"]) names.insert(row["name"]);
+    for (const char* id : {"hard", "pcf", "vsm", "lvsm", "msm"}) EXPECT_TRUE(names.count(id)) << id;
+    for (const char* id : {"esm", "evsm2", "evsm4"}) {
+      EXPECT_FALSE(names.count(id)) << id;
+      EXPECT_NE(outcome.err.find(std::string("left out: ") + id + " stores"), std::string::npos)
+          << outcome.err;
+    }
+  }
+}
+
 TEST(SceneRender, LayersHoldTheErrorOfEachTechnique) {
   const TemporaryFolder folder;
   const std::string file = folder.file("l.exr");
