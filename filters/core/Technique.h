@@ -33,6 +33,9 @@ struct TechniqueInfo {
   std::string_view formula;   // one line, as plain text, for tooltips
   int order = 100;            // place in lists: simple before complicated
   bool upperBound = false;    // never below the reference, in exact arithmetic and at its defaults
+  // Its GLSL also defines `vec2 umbraLayer(float receiver)`: the layer that holds the receiver, and
+  // the weight of the next one.
+  bool layered = false;
   bool prefilterable = true;  // false: visibility reads the region's raw texels
   double amplification = 1.0;  // of rounding within visibility(), beyond that of its inputs
   std::string_view colour;    // "#rrggbb", the same in every plot, table and pane

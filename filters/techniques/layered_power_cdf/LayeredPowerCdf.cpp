@@ -4,6 +4,8 @@
 
 #include "LayeredPowerCdf_glsl.h"
 #include "LayeredPowerCdf_md.h"
+#include "Layers_glsl.h"
+#include "PowerVisibility_glsl.h"
 #include "filters/core/TechniqueCatalogue.h"
 #include "filters/techniques/power_cdf/PowerVisibility.h"
 
@@ -18,6 +20,7 @@ const TechniqueInfo& LayeredPowerCdf::info() const {
           "Stores mean, minimum and maximum of depth in layers, each clamped to its interval.",
       .formula = "v = (1 − t^β) / (1 − (β/(β+1))^β) in φ = clamp((z − p)/(q − p), 0, 1)",
       .order = 80,
+      .layered = true,
       .colour = "#c08fd8"};
   return info;
 }
@@ -57,7 +60,9 @@ double LayeredPowerCdf::visibility(const Fetch& fetch, double receiver) const {
 }
 
 std::string_view LayeredPowerCdf::glsl() const {
-  return LayeredPowerCdf_glsl;
+  static const std::string text =
+      std::string(Layers_glsl) + PowerVisibility_glsl + LayeredPowerCdf_glsl;
+  return text;
 }
 std::vector<Uniform> LayeredPowerCdf::derivedUniforms() const {
   return layerUniforms(layering());

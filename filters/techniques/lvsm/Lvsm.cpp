@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "Layers_glsl.h"
 #include "Lvsm_glsl.h"
 #include "Lvsm_md.h"
 #include "filters/core/TechniqueCatalogue.h"
@@ -18,6 +19,7 @@ const TechniqueInfo& Lvsm::info() const {
       .formula = "v = σ² / (σ² + (φ − μ)²) in φ = clamp((z − p)/(q − p), 0, 1) of z_r's layer",
       .order = 50,
       .upperBound = true,
+      .layered = true,
       .colour = "#7aa6f0"};
   return info;
 }
@@ -63,7 +65,8 @@ double Lvsm::visibility(const Fetch& fetch, double receiver) const {
 }
 
 std::string_view Lvsm::glsl() const {
-  return Lvsm_glsl;
+  static const std::string text = std::string(Layers_glsl) + Lvsm_glsl;
+  return text;
 }
 std::vector<Uniform> Lvsm::derivedUniforms() const {
   return layerUniforms(layering());

@@ -1,18 +1,9 @@
 // Layered variance shadow maps: two moments of every layer's warped depth (Lauritzen 2008, §4.1).
 
-uniform float umbra_layer_low[16];   // p of every layer, depth
-uniform float umbra_layer_high[16];  // q
-uniform float umbra_layer_end[16];   // the split that ends it; the last is 1
-uniform float umbra_overlap;         // δ, depth
 uniform float umbra_min_variance;    // depth², unwarped
 uniform float umbra_bleed_reduction;  // [0, 1)
 
 const int umbraLayers = UMBRA_CHANNELS / 2;
-
-float umbraWarp(int layer, float z) {  // eq. 4.2
-  float low = umbra_layer_low[layer];
-  return clamp((z - low) / (umbra_layer_high[layer] - low), 0.0, 1.0);
-}
 
 void umbraEncode(float z, inout float channels[UMBRA_CHANNELS]) {
   for (int i = 0; i < umbraLayers; ++i) {
@@ -33,20 +24,12 @@ float umbraVisibilityIn(int layer, float channels[UMBRA_CHANNELS], float receive
   return clamp((bound - umbra_bleed_reduction) / (1.0 - umbra_bleed_reduction), 0.0, 1.0);
 }
 
+vec2 umbraLayer(float receiver) { return umbraLayerAt(receiver, umbraLayers); }
+
 float umbraVisibility(float channels[UMBRA_CHANNELS], float receiver) {
-  int holder = 0;
-  int blended = -1;  // the layer before the nearest split within reach of the overlap
-  float nearest = umbra_overlap;
-  for (int i = 0; i + 1 < umbraLayers; ++i) {
-    float distance = abs(receiver - umbra_layer_end[i]);
-    if (receiver > umbra_layer_end[i]) holder = i + 1;
-    if (distance < nearest) {
-      nearest = distance;
-      blended = i;
-    }
-  }
-  if (blended < 0) return umbraVisibilityIn(holder, channels, receiver);
-  float farther = (receiver - umbra_layer_end[blended] + umbra_overlap) / (2.0 * umbra_overlap);
-  return mix(umbraVisibilityIn(blended, channels, receiver),
-             umbraVisibilityIn(blended + 1, channels, receiver), farther);
+  vec2 place = umbraLayer(receiver);
+  int layer = int(place.x);
+  float visibility = umbraVisibilityIn(layer, channels, receiver);
+  if (place.y == 0.0) return visibility;
+  return mix(visibility, umbraVisibilityIn(layer + 1, channels, receiver), place.y);
 }

@@ -2,6 +2,7 @@
 
 #include "PowerCdf_glsl.h"
 #include "PowerCdf_md.h"
+#include "PowerVisibility_glsl.h"
 #include "filters/core/TechniqueCatalogue.h"
 #include "filters/techniques/power_cdf/PowerVisibility.h"
 
@@ -28,7 +29,8 @@ double PowerCdf::visibility(const Fetch& fetch, double receiver) const {
 }
 
 std::string_view PowerCdf::glsl() const {
-  return PowerCdf_glsl;
+  static const std::string text = std::string(PowerVisibility_glsl) + PowerCdf_glsl;
+  return text;
 }
 std::string_view PowerCdf::page() const {
   return PowerCdf_md;
