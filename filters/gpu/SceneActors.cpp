@@ -110,24 +110,20 @@ void SceneActors::removeFrom(vtkRenderer& renderer) {
 }
 
 SceneLights::SceneLights(vtkRenderer& renderer)
-    : casting_(vtkSmartPointer<vtkLight>::New()),
-      sky_(vtkSmartPointer<vtkLight>::New()),
-      camera_(vtkSmartPointer<vtkLight>::New()) {
+    : casting_(vtkSmartPointer<vtkLight>::New()), fill_(vtkSmartPointer<vtkLight>::New()) {
   casting_->SetLightTypeToSceneLight();
-  sky_->SetLightTypeToSceneLight();
-  sky_->SetPosition(0.0, 1.0, 0.0);
-  sky_->SetIntensity(0.28);
-  camera_->SetLightTypeToHeadlight();
-  camera_->SetIntensity(0.3);
+  fill_->SetLightTypeToCameraLight();
+  fill_->SetPosition(0.0, 1.0, 1.0);
+  fill_->SetIntensity(0.42);
   renderer.AutomaticLightCreationOff();
-  for (vtkLight* light : {casting_.Get(), sky_.Get(), camera_.Get()}) renderer.AddLight(light);
+  for (vtkLight* light : {casting_.Get(), fill_.Get()}) renderer.AddLight(light);
 }
 
 void SceneLights::setLight(const Light& light) {
   casting_->SetPosition(light.position.x(), light.position.y(), light.position.z());
   casting_->SetFocalPoint(light.target.x(), light.target.y(), light.target.z());
   casting_->SetColor(light.colour.x(), light.colour.y(), light.colour.z());
-  // Leaves room for the other two below white.
+  // Leaves room for the other one below white.
   casting_->SetIntensity(0.75 * light.intensity);
   casting_->SetPositional(light.kind == LightKind::Spot);
   casting_->SetConeAngle(light.halfAngle);  // VTK's is the half angle too

@@ -32,15 +32,16 @@ class SceneActors {
   vtkSmartPointer<vtkActor> caster_;
 };
 
-// The casting light, which is light 0 in VTK's shaders, and two dim ones that cast nothing, above
-// and at the camera, so that shapes can be read in the shadow.
+// The casting light, which is light 0 in VTK's shaders, and a dim one that casts nothing, above the
+// camera, so that shapes can be read in the shadow. One and no more: with a spot among them, VTK
+// takes all lights for spots, and each costs as much as a shadow.
 class SceneLights {
  public:
   explicit SceneLights(vtkRenderer& renderer);
   void setLight(const Light& light);
 
  private:
-  vtkSmartPointer<vtkLight> casting_, sky_, camera_;
+  vtkSmartPointer<vtkLight> casting_, fill_;
 };
 
 }  // namespace umbra

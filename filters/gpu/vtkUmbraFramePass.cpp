@@ -200,7 +200,24 @@ void vtkUmbraFramePass::CullInsides(vtkRenderer* renderer) {
   }
 }
 
+// Copies picture and depth as they are, where the window's buffers are of the same kind.
+bool vtkUmbraFramePass::CopyShaded(vtkRenderer* renderer) {
+  if (viewNumber(this->Settings.view) != 0 || renderer->GetGradientBackground()) return false;
+  GLint target = 0, samples = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
+  glGetNamedFramebufferParameteriv(GLuint(target), GL_SAMPLES, &samples);
+  if (samples != 0 || gl::depthFormatOf(GLuint(target)) != this->Shading->GetDepth().format())
+    return false;
+  int width = 0, height = 0, left = 0, bottom = 0;
+  renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
+  glBlitNamedFramebuffer(this->Shading->GetFramebuffer(), GLuint(target), 0, 0, width, height, left,
+                         bottom, left + width, bottom + height,
+                         GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  return true;
+}
+
 void vtkUmbraFramePass::Show(vtkRenderer* renderer) {
+  if (this->CopyShaded(renderer)) return;
   vtkOpenGLState* gl = windowOf(renderer)->GetState();
   windowOf(renderer)->GetShaderCache()->ReleaseCurrentShader();
   const vtkOpenGLState::ScopedglDepthFunc depthFunction(gl);

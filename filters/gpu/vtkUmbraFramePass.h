@@ -65,6 +65,7 @@ class vtkUmbraFramePass : public vtkRenderPass {
   void BakeDepth(const vtkRenderState* state);
   void CullInsides(vtkRenderer* renderer);
   void Show(vtkRenderer* renderer);
+  bool CopyShaded(vtkRenderer* renderer);
 
   vtkSmartPointer<vtkUmbraDepthPass> Depth;
   vtkSmartPointer<vtkUmbraShadingPass> Shading;

@@ -72,7 +72,11 @@ void vtkUmbraShadingPass::SetMaps(const gl::Texture* depth, const gl::Texture* c
 void vtkUmbraShadingPass::PrepareFramebuffer(vtkRenderer* renderer, int width, int height) {
   this->Colour.require(GL_RGBA8, width, height);
   this->Surfaces.require(GL_RGBA32F, width, height);
-  this->Depth.require(GL_DEPTH_COMPONENT32F, width, height);
+  // As the window's, so that it can be copied there.
+  GLint window = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &window);
+  const GLenum depth = gl::depthFormatOf(GLuint(window));
+  this->Depth.require(depth == GL_NONE ? GL_DEPTH_COMPONENT32F : depth, width, height);
   if (!this->Framebuffer) {
     GLuint name = 0;
     glCreateFramebuffers(1, &name);

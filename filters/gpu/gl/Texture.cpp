@@ -54,6 +54,18 @@ void Texture::upload(int components, const std::vector<float>& values) {
     glTextureSubImage2D(name(), 0, 0, 0, width_, height_, format, GL_FLOAT, values.data());
 }
 
+GLenum depthFormatOf(GLuint framebuffer) {
+  GLint type = GL_NONE, texture = 0, format = GL_NONE;
+  if (framebuffer == 0) return GL_NONE;
+  glGetNamedFramebufferAttachmentParameteriv(framebuffer, GL_DEPTH_ATTACHMENT,
+                                             GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
+  if (type != GL_TEXTURE) return GL_NONE;
+  glGetNamedFramebufferAttachmentParameteriv(framebuffer, GL_DEPTH_ATTACHMENT,
+                                             GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, &texture);
+  glGetTextureLevelParameteriv(GLuint(texture), 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
+  return GLenum(format);
+}
+
 Image<float> flipped(int width, int height, int channels, const std::vector<float>& values) {
   Image<float> image(width, height, channels);
   const std::size_t row = std::size_t(width) * channels;

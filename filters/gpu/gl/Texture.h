@@ -35,6 +35,9 @@ class Texture {
   int width_ = 0, height_ = 0, layers_ = 0;
 };
 
+// Internal format of a framebuffer's depth texture; GL_NONE where it has none.
+GLenum depthFormatOf(GLuint framebuffer);
+
 // Rows in the opposite order: OpenGL's pictures have their bottom row first.
 Image<float> flipped(int width, int height, int channels, const std::vector<float>& values);
 
