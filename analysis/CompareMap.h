@@ -1,6 +1,7 @@
 // Techniques against the reference over a whole depth map.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -18,11 +19,15 @@ namespace umbra {
 Image<double> referenceMap(const DepthMap& map, const Kernel& kernel, double receiver);
 
 // The metrics of every technique (parameters set, adapted to the map), in their order, over all
-// texels: point reads of the prefiltered map, a receiver plane at depth `receiver`. The cost per
-// texel does not grow with a box kernel's radius, but for techniques that are not prefilterable
-// it grows with the square, since they are given every texel's region.
-std::vector<Metrics> compareOnMap(const DepthMap& map,
-                                  std::span<const std::shared_ptr<const Technique>> techniques,
-                                  const Kernel& kernel, StorageFormat format, double receiver);
+// texels: point reads of the prefiltered map, a receiver plane at depth `receiver`. `eachRow` is
+// called between rows of texels; what it throws ends the comparison.
+//
+// The cost per texel does not grow with a box kernel's radius, but where the answer of a technique
+// that is not prefilterable depends on the region's taps, as in a penumbra: there it grows with
+// the square.
+std::vector<Metrics> compareOnMap(
+    const DepthMap& map, std::span<const std::shared_ptr<const Technique>> techniques,
+    const Kernel& kernel, StorageFormat format, double receiver,
+    const std::function<void()>& eachRow = [] {});
 
 }  // namespace umbra

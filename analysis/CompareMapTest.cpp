@@ -105,6 +105,24 @@ TEST(CompareMapOnce, KeepsTheOrderOfTheTechniques) {
   EXPECT_NE(a[0].rmse, a[1].rmse);
 }
 
+// What the caller throws between two rows ends the work, of either kind of technique.
+TEST(CompareMapOnce, EndsWhereTheCallerThrows) {
+  const DepthMap map = randomMap(16, 16, 26);
+  const TechniqueCatalogue catalogue = allTechniques();
+  struct Stopped {};
+  for (const char* id : {"vsm", "pcf"}) {
+    const std::vector<std::shared_ptr<const Technique>> one{catalogue.make(id)};
+    int rows = 0;
+    const auto stop = [&rows] {
+      if (++rows == 5) throw Stopped();
+    };
+    EXPECT_THROW(compareOnMap(map, one, {KernelShape::Box, 2}, StorageFormat::Double, 0.5, stop),
+                 Stopped)
+        << id;
+    EXPECT_EQ(rows, 5) << id;
+  }
+}
+
 // Without a prefilter every region is one blocking texel, and all that bleeds is vsm's smallest
 // variance in Lauritzen 2008, eq. 3.3.
 TEST(CompareMapOnce, FindsTheClosedFormOfSingleTexels) {
