@@ -37,8 +37,11 @@ struct TechniqueInfo {
   // the weight of the next one.
   bool layered = false;
   bool prefilterable = true;  // false: visibility reads the region's raw texels
+  // Of visibility()'s GLSL with the scaling of its stored channels, at most: one for an operation,
+  // two for a division (reciprocal and product), none for a power of two.
+  int roundings = 32;
   double amplification = 1.0;  // of rounding within visibility(), beyond that of its inputs
-  std::string_view colour;    // "#rrggbb", the same in every plot, table and pane
+  std::string_view colour;     // "#rrggbb", the same in every plot, table and pane
 };
 
 // What a technique reads to estimate visibility.

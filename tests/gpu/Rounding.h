@@ -13,12 +13,11 @@ inline const double eps = unitRoundoff(StorageFormat::Float);
 
 // How far visibility moves when every input is off by `roundings` float roundings: the GPU's
 // result must be the exact one for inputs within that distance (mixed stability), up to as many
-// roundings of its own. The longest formula, MSM's with its change of basis, has 96 operations,
-// each of which rounds once. A normalised format's channel is low + span · stored, rounded in
-// terms of its range.
+// roundings of its own. The technique declares how many its formula has. A normalised format's
+// channel is low + span · stored, rounded in terms of its range.
 inline double visibilityError(const Technique& technique, StorageFormat format, const Fetch& fetch,
                               double receiver) {
-  constexpr double roundings = 96;
+  const double roundings = technique.info().roundings;
   const double exact = technique.visibility(fetch, receiver);
   double error = roundings * eps * technique.info().amplification;
   std::vector<double> channels(fetch.channels.begin(), fetch.channels.end());

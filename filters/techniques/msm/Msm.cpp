@@ -21,6 +21,10 @@ const TechniqueInfo& Msm::info() const {
       .summary = "Stores four power moments of depth; the sharpest bound that they allow.",
       .formula = "v = largest P(z ≥ z_r) over all distributions with moments M1 … M4",
       .order = 90,
+      // 8 to scale four stored channels, 12 from the quantised basis to the moments of 2z − 1, 13
+      // to those of z, 9 for the moment bias, 24 for the Hankel system, 11 for its two roots and
+      // their comparison with z_r, 11 for the occluded share, 5 for the reduction of bleeding.
+      .roundings = 93,
       // About 1/√α for the default bias α: the pivots of the biased Hankel matrix are no smaller.
       .amplification = 180.0,
       .colour = "#6b8e23"};
