@@ -11,19 +11,13 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 
+#include "filters/core/TechniqueEquality.h"
+
 namespace umbra {
 namespace {
 
 constexpr int hoverInterval = 16;      // milliseconds: a probe per displayed frame at most
 constexpr double clickDistance = 4.0;  // logical pixels that a click may wander
-
-bool sameParameters(Technique& a, Technique& b) {
-  if (a.info().id != b.info().id) return false;
-  const auto left = a.parameters(), right = b.parameters();
-  for (std::size_t i = 0; i < left.size(); ++i)
-    if (left[i].get() != right[i].get()) return false;
-  return true;
-}
 
 bool differ(const Camera& a, const Camera& b) {
   const double scale = 1e-9 * (1.0 + a.position.norm());
@@ -95,8 +89,7 @@ void SceneView::showDocument(const Document& document, const Technique& techniqu
   const bool newMap = newScene || !(lightOf(document) == lightOf(shown_)) ||
                       session.frame.map.size != old.map.size ||
                       session.frame.bias.cullFrontFaces != old.bias.cullFrontFaces;
-  const std::unique_ptr<Technique> copy = technique.clone();
-  const bool newTechnique = !technique_ || !sameParameters(*copy, *technique_);
+  const bool newTechnique = !technique_ || !sameSettings(technique, *technique_);
   const bool newChannels = newMap || newTechnique || !(session.frame.kernel == old.kernel) ||
                            session.frame.map.format != old.map.format;
   mapRevision_ += newMap;
