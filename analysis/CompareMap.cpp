@@ -1,7 +1,6 @@
 #include "analysis/CompareMap.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "filters/core/Prefilter.h"
@@ -39,7 +38,7 @@ Metrics comparePrefiltered(const Comparison& on, const Technique& technique,
 // The regions of a map, one after another: with all their taps only where somebody needs them.
 class RegionReader {
  public:
-  explicit RegionReader(const Comparison& on) : on_(on) {
+  explicit RegionReader(const Comparison& on) : on_(on), weights_(on.kernel.weights()) {
     const Channel extremes[] = {{"min", Reduction::Min}, {"max", Reduction::Max}};
     Image<double> depths(on.map.width(), on.map.height(), 2);
     for (std::size_t i = 0; i < on.map.values().size(); ++i)
@@ -52,7 +51,7 @@ class RegionReader {
   }
 
   void moveTo(int x, int y) {
-    taps_.reset();
+    tapped_ = false;
     const auto depths = extremes_.pixel(x, y);
     for (Region* flat : {&nearest_, &farthest_}) {
       flat->x = flat->texels[0].x = x;
@@ -69,22 +68,50 @@ class RegionReader {
   double visibility(const Visibility& visibility) {
     const double least = visibility(nearest_);
     if (least == visibility(farthest_)) return least;
-    if (!taps_) taps_ = regionAtTexel(on_.map, on_.kernel, nearest_.x, nearest_.y);
-    return visibility(*taps_);
+    if (!tapped_) gather();
+    return visibility(taps_);
+  }
+
+  // Of the region; `image` is that of the reference image.
+  double reference(double image) const {
+    if (tapped_) return referenceVisibility(taps_, on_.receiver);
+    const double least = referenceVisibility(nearest_, on_.receiver);
+    return least == referenceVisibility(farthest_, on_.receiver) ? least : image;
   }
 
  private:
+  // regionAtTexel, in the memory and with the weights of the last one.
+  void gather() {
+    const DepthMap& map = on_.map;
+    const int x = nearest_.x, y = nearest_.y, first = -on_.kernel.effectiveRadius();
+    taps_ = {x, y, on_.kernel, std::move(taps_.texels), map(x, y)};
+    taps_.texels.clear();
+    for (std::size_t j = 0; j < weights_.size(); ++j) {
+      const int row = std::clamp(y + first + int(j), 0, map.height() - 1);
+      for (std::size_t i = 0; i < weights_.size(); ++i) {
+        if (weights_[i] * weights_[j] == 0.0) continue;
+        const int column = std::clamp(x + first + int(i), 0, map.width() - 1);
+        taps_.texels.push_back({column, row, map(column, row), weights_[i] * weights_[j]});
+      }
+    }
+    tapped_ = true;
+  }
+
   const Comparison& on_;
   Image<double> extremes_;  // two channels: least and greatest depth of every texel's region
   Region nearest_, farthest_;
-  std::optional<Region> taps_;  // of the texel moved to
+  std::vector<double> weights_;  // along either axis
+  Region taps_;                  // of the texel moved to, where they were gathered
+  bool tapped_ = false;
 };
 
-// The regions' own sum is the reference: the sum in another order would differ by rounding from
-// what the techniques add up themselves.
+// Where taps were gathered their own sum is the reference: in another order, as in the reference
+// image, it would differ by rounding from what the techniques add up themselves.
 std::vector<Metrics> compareOverRegions(const Comparison& on,
-                                        const std::vector<const Technique*>& techniques) {
+                                        const std::vector<const Technique*>& techniques,
+                                        const Image<double>& reference) {
   std::vector<MetricsSum> sums(techniques.size());
+  std::vector<double> visibilities(techniques.size());
   std::vector<Image<double>> channels;
   for (const Technique* technique : techniques)
     channels.push_back(prefilteredMap(on.map, *technique, on.kernel, on.format));
@@ -93,13 +120,12 @@ std::vector<Metrics> compareOverRegions(const Comparison& on,
     on.eachRow();
     for (int x = 0; x < on.map.width(); ++x) {
       reader.moveTo(x, y);
-      const double reference = reader.visibility(
-          [&](const Region& region) { return referenceVisibility(region, on.receiver); });
       for (std::size_t i = 0; i < techniques.size(); ++i)
-        sums[i].add(reader.visibility([&](const Region& region) {
+        visibilities[i] = reader.visibility([&](const Region& region) {
           return techniques[i]->visibility({channels[i].pixel(x, y), region}, on.receiver);
-        }),
-                    reference);
+        });
+      const double truth = reader.reference(reference(x, y));
+      for (std::size_t i = 0; i < techniques.size(); ++i) sums[i].add(visibilities[i], truth);
     }
   }
   std::vector<Metrics> results;
@@ -125,21 +151,20 @@ std::vector<Metrics> compareOnMap(const DepthMap& map,
                                   const Kernel& kernel, StorageFormat format, double receiver,
                                   const std::function<void()>& eachRow) {
   const Comparison on{map, kernel, format, receiver, eachRow};
-  std::optional<Image<double>> reference;  // of the prefilterable ones, made for the first
+  const Image<double> reference = referenceMap(map, kernel, receiver);
   std::vector<Metrics> results(techniques.size());
   std::vector<const Technique*> readingTexels;
   std::vector<std::size_t> theirPlaces;
   for (std::size_t i = 0; i < techniques.size(); ++i) {
     if (techniques[i]->info().prefilterable) {
-      if (!reference) reference = referenceMap(map, kernel, receiver);
-      results[i] = comparePrefiltered(on, *techniques[i], *reference);
+      results[i] = comparePrefiltered(on, *techniques[i], reference);
     } else {
       readingTexels.push_back(techniques[i].get());
       theirPlaces.push_back(i);
     }
   }
   if (readingTexels.empty()) return results;
-  const auto compared = compareOverRegions(on, readingTexels);
+  const auto compared = compareOverRegions(on, readingTexels, reference);
   for (std::size_t i = 0; i < compared.size(); ++i) results[theirPlaces[i]] = compared[i];
   return results;
 }
