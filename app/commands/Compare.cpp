@@ -73,16 +73,18 @@ void CompareCommand::compareMap(Session session) const {
     session.frame.map.format = StorageFormat::Double;
   const auto chosen = techniques(session);
   const DepthMap map = loadDepthMap(session.source);
-  std::vector<MetricsRow> rows;
   for (const auto& technique : chosen) {
     throwIfCancelled();
     technique->adapt(map);
-    const std::shared_ptr<const Technique> one[] = {technique};
-    rows.push_back(
-        {std::string(technique->info().id),
-         compareOnMap(map, one, session.frame.kernel, session.frame.map.format, *session.receiver)
-             .front()});
   }
+  const std::vector<std::shared_ptr<const Technique>> adapted(chosen.begin(), chosen.end());
+  const Kernel& kernel = session.frame.kernel;
+  const StorageFormat format = session.frame.map.format;
+  const auto metrics =
+      compareOnMap(map, adapted, kernel, format, *session.receiver, throwIfCancelled);
+  std::vector<MetricsRow> rows;
+  for (std::size_t i = 0; i < adapted.size(); ++i)
+    rows.push_back({std::string(adapted[i]->info().id), metrics[i]});
   throwIfCancelled();
   if (json) return printJson(compareToJson(rows));
   if (!folder) return print(compareText(rows));
