@@ -88,15 +88,20 @@ TEST_F(InstalledModels, AreReadWithTheColoursOfTheirMaterials) {
             {"blendswap-cc-0/fence/fence.mtl",
              "newmtl red\nKd 0.8 0.1 2\nKd broken\n\nnewmtl grey\nNs 9\nKd 0.5 0.5 0.5\n"}});
   EXPECT_EQ(installedModelInfos(folder_)[1].missing, "");
-  const Scene scene = makeInstalledModel("picket-fence", folder_);
-  EXPECT_EQ(scene.name, "picket-fence");
+  const Scene scene = makeInstalledModel("iron-fence", folder_);
+  EXPECT_EQ(scene.name, "iron-fence");
   ASSERT_GE(scene.objects.size(), 3u);
   EXPECT_EQ(scene.objects[0].name, "grey");
   EXPECT_EQ(scene.objects[0].mesh.triangles.size(), 10u);
   EXPECT_EQ(scene.objects[0].material.shininess, 9.0);
   EXPECT_EQ(scene.objects[1].name, "red");
   EXPECT_EQ(scene.objects[1].mesh.triangles.size(), 2u);
-  EXPECT_TRUE(scene.objects[1].material.colour.isApprox(Eigen::Vector3d(0.8, 0.1, 1.0), 1e-6));
+  // Lifted, but the order of the channels and what is full stay.
+  const Eigen::Vector3d red = scene.objects[1].material.colour;
+  EXPECT_DOUBLE_EQ(red.z(), 1.0);
+  EXPECT_GT(red.x(), 0.8);
+  EXPECT_GT(red.x(), red.y());
+  EXPECT_GT(red.y(), 0.1);
 }
 
 TEST_F(InstalledModels, SayWhatIsWrongWithTheCollection) {
@@ -106,14 +111,14 @@ TEST_F(InstalledModels, SayWhatIsWrongWithTheCollection) {
                           {"blendswap-cc-0/fence/fence.mtl", ""}});
   EXPECT_NE(refusal("truck").find("no entry 'blendswap-cc-0/peterbilt/peterbilt.obj'"),
             std::string::npos);
-  EXPECT_NE(refusal("picket-fence").find("fence.obj: line 2"), std::string::npos);
+  EXPECT_NE(refusal("iron-fence").find("fence.obj: line 2"), std::string::npos);
 }
 
 TEST_F(InstalledModels, RefuseADamagedArchive) {
   writeZip(collection(), {{"blendswap-cc-0/fence/fence.obj", meshsamples::cubeObj()},
                           {"blendswap-cc-0/fence/fence.mtl", "newmtl grey\n"}});
   fs::resize_file(collection(), 120);
-  EXPECT_NE(refusal("picket-fence").find(collection().string()), std::string::npos);
+  EXPECT_NE(refusal("iron-fence").find(collection().string()), std::string::npos);
 }
 
 // Against the package itself, which the tests' list of packages brings.

@@ -49,10 +49,10 @@ Scene stagedScene(std::vector<SceneObject> objects, const Stage& stage) {
   const Vector3d target(0.35 * shadow.x(), 0.85 * half.y(), 0.35 * shadow.z());
   scene.light = scenes::sun(target + 10.0 * sun, target);
 
-  // A sphere round the model and half of its shadow fills the view's height or width (16:9).
+  // A sphere round the model and half of its shadow all but fills the view; its corners are empty.
   const double viewAngle = 30.0;
   const double radius = (half + 0.25 * reach.cwiseAbs()).norm();
-  const double distance = 0.92 * radius / std::sin(0.5 * viewAngle * std::numbers::pi / 180.0);
+  const double distance = 0.72 * radius / std::sin(0.5 * viewAngle * std::numbers::pi / 180.0);
   scene.camera = scenes::lookFrom(target + distance * towards(stage.viewFrom, stage.viewUp), target,
                                   viewAngle);
   return scene;
