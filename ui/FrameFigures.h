@@ -11,7 +11,7 @@ namespace umbra {
 // "depth 3.1 · prefilter 1.4 · shade 6.0 ms"; empty without passes.
 QString passTimesText(const std::vector<PassTime>& times);
 
-// "map 1024² · float · 2 channels · 20 MiB": the depth, the encoded and the prefiltered texels.
+// "map 1024² · float · 2 channels · 28 MiB of textures": see textureBytes.
 QString mapText(const FrameSettings& settings, const Technique& technique);
 
 }  // namespace umbra

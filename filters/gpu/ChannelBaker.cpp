@@ -32,6 +32,23 @@ constexpr GLenum textureFormat(StorageFormat format, std::size_t channels) {
   return GL_NONE;
 }
 
+// Of one texel of such textures, in all their layers.
+std::size_t texelBytes(StorageFormat format, std::size_t channels) {
+  const std::size_t stored = channels <= 2 ? channels : 4 * std::size_t(layersFor(int(channels)));
+  switch (format) {
+    case StorageFormat::Unorm8:
+      return stored;
+    case StorageFormat::Unorm16:
+    case StorageFormat::Half:
+      return 2 * stored;
+    case StorageFormat::Float:
+      return 4 * stored;
+    case StorageFormat::Double:
+      break;
+  }
+  return 0;  // as textureFormat: no texture holds it
+}
+
 GLuint groups(int items, int groupSize) {
   return GLuint((items + groupSize - 1) / groupSize);
 }
@@ -64,6 +81,15 @@ float reductionSign(Reduction reduction) {
 }
 
 }  // namespace
+
+std::size_t textureBytes(const FrameSettings& settings, const Technique& technique) {
+  const std::size_t channels = technique.channels().size();
+  const std::size_t encoded = texelBytes(settings.map.format, channels);
+  std::size_t bytes = texelBytes(StorageFormat::Float, 1) + encoded;
+  if (technique.info().prefilterable && settings.kernel.effectiveRadius() > 0)
+    bytes += texelBytes(StorageFormat::Float, channels) + encoded;
+  return bytes * std::size_t(settings.map.size) * std::size_t(settings.map.size);
+}
 
 void ChannelBaker::uploadDepth(const DepthMap& map) {
   depth_.require(GL_R32F, map.width(), map.height());

@@ -1,6 +1,8 @@
 // From a depth map on the GPU to a technique's prefiltered channels on the GPU.
 #pragma once
 
+#include <cstddef>
+
 #include "filters/core/FrameSettings.h"
 #include "filters/core/Technique.h"
 #include "filters/gpu/BakeStage.h"
@@ -8,6 +10,11 @@
 #include "filters/gpu/gl/Texture.h"
 
 namespace umbra {
+
+// Bytes of the textures that a square map of these settings takes on the GPU: the depth, the
+// encoded channels and, where there is something to prefilter, the reduced ones and those between
+// its two axes. More channels than two fill whole layers of four.
+std::size_t textureBytes(const FrameSettings& settings, const Technique& technique);
 
 // Every call needs a current context (4.5 core) and leaves no program bound. Textures are as large
 // as the depth map and have its top row first.
