@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "app/options/OptionValues.h"
-#include "datasets/DepthFile.h"
-#include "datasets/MeshFile.h"
+#include "datasets/LoadSource.h"
 #include "datasets/SceneCatalogue.h"
 #include "filters/core/Error.h"
 #include "filters/core/Text.h"
@@ -35,6 +34,12 @@ std::string nearestScene(const std::string& name) {
   for (const SceneInfo& info : sceneCatalogue()) names.push_back(info.name);
   const std::string nearest = nearestWord(name, names);
   return nearest.empty() ? "`umbrascope scenes` lists them" : "did you mean '" + nearest + "'?";
+}
+
+Content loaded(const SceneSource& source) {
+  Content content = loadSource(source);
+  for (const std::string& notice : content.notices) spdlog::warn("{}", notice);
+  return content;
 }
 
 }  // namespace
@@ -82,17 +87,11 @@ Scene loadScene(const SceneSource& source) {
   if (source.kind == SourceKind::DepthFile)
     throw Error(ErrorKind::BadCommandLine,
                 "--depth: a depth map has no scene to draw, give --scene NAME|FILE");
-  if (source.kind == SourceKind::Catalogue) return makeScene(source.name, source.parameters);
-  MeshReport report;
-  Scene scene = sceneFromMeshFile(source.name, &report);
-  if (report.degenerateFaces + report.nonFiniteFaces > 0)
-    spdlog::warn("{}: dropped {} degenerate and {} non-finite faces", source.name,
-                 report.degenerateFaces, report.nonFiniteFaces);
-  return scene;
+  return *loaded(source).scene;
 }
 
 DepthMap loadDepthMap(const SceneSource& source) {
-  return readDepthFile(source.name, source.channel, source.depthNear, source.depthFar);
+  return *loaded(source).depth;
 }
 
 std::string shortNameOf(const SceneSource& source) {

@@ -46,6 +46,7 @@ MainWindow::MainWindow(const Session& session, QWidget* parent)
   connectParts();
   view_->showDocument(controller_.document(), controller_.technique());
   refresh();
+  showNotices();
   // No frame calls for the probe of a depth file; its panes have their sizes once this returned.
   if (controller_.document().content.depth)
     QMetaObject::invokeMethod(prober_, &Prober::refresh, Qt::QueuedConnection);
@@ -60,7 +61,7 @@ void MainWindow::connectParts() {
   connect(&controller_, &SessionController::changed, this,
           [this](const Document& before, const Document& after) {
             if (!(before.content == after.content)) {
-              centre_->banner().dismiss();
+              showNotices();
               probeNextFrame_ = true;
             }
             attempt([&] { view_->showDocument(after, controller_.technique()); });
@@ -132,6 +133,17 @@ void MainWindow::showFrameFigures() {
   const auto times = view_->lastFrame() ? view_->lastFrame()->passTimes() : std::vector<PassTime>{};
   frameText_->setText(passTimesText(times));
   mapText_->setText(mapText(session.frame, controller_.technique()));
+}
+
+// Of what was opened: what its file had that is not shown.
+void MainWindow::showNotices() {
+  QStringList lines;
+  for (const std::string& notice : controller_.document().content.notices)
+    lines << style::text(notice);
+  if (lines.isEmpty())
+    centre_->banner().dismiss();
+  else
+    centre_->banner().showNotice(lines.join("\n"));
 }
 
 void MainWindow::showError(const QString& text) {

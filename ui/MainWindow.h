@@ -51,6 +51,7 @@ class MainWindow : public QMainWindow {
 
  public slots:
   void showError(const QString& text);
+  void showNotices();
   void resetLayout();
 
  signals:

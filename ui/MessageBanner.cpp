@@ -26,6 +26,9 @@ MessageBanner::MessageBanner(QWidget* parent)
 void MessageBanner::showError(const QString& text) {
   showText(text, style::error, true);
 }
+void MessageBanner::showNotice(const QString& text) {
+  showText(text, style::accent, true);
+}
 void MessageBanner::showProgress(const QString& text) {
   showText(text, style::accent, false);
 }

@@ -15,6 +15,7 @@ class MessageBanner : public QFrame {
   explicit MessageBanner(QWidget* parent = nullptr);
 
   void showError(const QString& text);
+  void showNotice(const QString& text);
   void showProgress(const QString& text);  // goes away by `dismiss` alone
   QString text() const;
 

@@ -33,10 +33,14 @@ Prober::Prober(SessionController& controller, SceneView& view, QObject* parent)
 
 void Prober::sessionChanged(const Document& before, const Document& after) {
   adaptedTo_ = -1;
-  if (!(before.session.probe == after.session.probe)) pinnedPoint_.reset();
+  if (!(before.session.probe == after.session.probe)) {
+    pinnedPoint_.reset();
+    if (after.session.probe) lastSeen_.reset();
+  }
   if (!(before.content == after.content)) {
     hover_.reset();
     pinnedPoint_.reset();
+    lastSeen_.reset();
     report_.reset();
     emit reported();
   }
@@ -92,11 +96,7 @@ void Prober::pinWorstBleeding() {
 
 void Prober::refresh() {
   try {
-    // Where there is nothing to probe the last probe stays to be read, unless it was let go.
-    if (auto next = take())
-      report_ = std::move(next);
-    else if (!controller_.session().probe && !hover_)
-      report_.reset();
+    report_ = take();
     emit reported();
   } catch (const std::exception& problem) {
     emit failed(QString::fromUtf8(problem.what()));
@@ -115,31 +115,61 @@ std::optional<Pixel> Prober::pinnedPixel() {
 }
 
 std::optional<ProbeReport> Prober::takeOnScene() {
-  ShadowRenderer* frame = view_.lastFrame();
-  const Session& session = controller_.session();
-  const std::optional<Pixel> pixel = session.probe ? pinnedPixel() : hover_;
-  if (!frame || !pixel) return std::nullopt;
-  const auto surface = view_.surfaceAt(*pixel);
+  if (!view_.lastFrame() || (!controller_.session().probe && !hover_)) return std::nullopt;
+  if (const auto place = visiblePlace()) {
+    lastSeen_ = place;
+    return probeAt(*place);
+  }
+  // What was last in sight stays to be read, with what is now set: the map is there to be read.
+  const auto place = hiddenPlace();
+  return place ? std::optional(probeAt(*place)) : std::nullopt;
+}
+
+std::optional<Prober::Place> Prober::visiblePlace() {
+  const bool pinned = controller_.session().probe.has_value();
+  const std::optional<Pixel> pixel = pinned ? pinnedPixel() : hover_;
+  const auto surface = pixel ? view_.surfaceAt(*pixel) : std::nullopt;
   if (!surface || surface->u < 0.0 || surface->u > 1.0 || surface->v < 0.0 || surface->v > 1.0)
     return std::nullopt;
-  if (session.probe && pinnedPoint_ && report_ &&
+  if (pinned && pinnedPoint_ && lastSeen_ &&
       (surface->world - *pinnedPoint_).norm() > 0.05 * (1.0 + pinnedPoint_->norm()))
     return std::nullopt;  // something stands in front of the point now
+  if (pinned && !pinnedPoint_) pinnedPoint_ = surface->world;
+  return Place{*pixel, *surface, view_.surfacePlane(*pixel, *surface),
+               view_.lastFrame()->lightFrame().project(surface->world).z, view_.mapRevision()};
+}
 
-  const ReadPoint read{session.frame.read, surface->u, surface->v};
-  ProbeReport report = probe(frame->depthMap(), read, session.receiver.value_or(surface->receiver),
+std::optional<Prober::Place> Prober::hiddenPlace() {
+  if (!lastSeen_) return std::nullopt;
+  Place place = *lastSeen_;
+  place.inSight = false;
+  if (place.map == view_.mapRevision()) return place;
+  // The light has moved: the point is elsewhere in its map, as far in front of itself as before.
+  const LightPoint point = view_.lastFrame()->lightFrame().project(place.surface.world);
+  if (!point.inside) return std::nullopt;
+  place.surface.u = point.u;
+  place.surface.v = point.v;
+  place.surface.receiver = std::clamp(point.z + place.surface.receiver - place.depth, 0.0, 1.0);
+  return place;
+}
+
+ProbeReport Prober::probeAt(const Place& place) {
+  ShadowRenderer& frame = *view_.lastFrame();
+  const Session& session = controller_.session();
+  const SurfacePoint& surface = place.surface;
+  const ReadPoint read{session.frame.read, surface.u, surface.v};
+  ProbeReport report = probe(frame.depthMap(), read, session.receiver.value_or(surface.receiver),
                              view_.mapRevision());
-  report.pixel = *pixel;
+  report.pixel = place.pixel;
   report.pinned = session.probe.has_value();
-  report.facesLight = surface->facesLight;
+  report.facesLight = surface.facesLight;
   report.receiverByHand = session.receiver.has_value();
-  report.point = surface->world;
-  report.footprint = footprintOf(report.probe.region, session.frame.map.size, surface->receiver,
-                                 frame->lightFrame(), view_.surfacePlane(*pixel, *surface));
-  if (!session.receiver)
-    for (TechniqueResult& result : report.probe.techniques)
-      if (result.technique->info().id == session.technique) result.gpu = surface->visibility;
-  if (session.probe && !pinnedPoint_) pinnedPoint_ = surface->world;
+  report.point = surface.world;
+  report.footprint = footprintOf(report.probe.region, session.frame.map.size, surface.receiver,
+                                 frame.lightFrame(), place.plane);
+  if (session.receiver || !place.inSight) return report;  // the frame shows no such visibility
+  for (TechniqueResult& result : report.probe.techniques)
+    if (result.technique->info().id == session.technique) result.gpu = surface.visibility;
   return report;
 }
 

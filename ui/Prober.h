@@ -4,6 +4,8 @@
 #include <QObject>
 #include <optional>
 
+#include "filters/gpu/ShadowRenderer.h"
+#include "ui/Footprint.h"
 #include "ui/ProbeReport.h"
 
 namespace umbra {
@@ -13,8 +15,8 @@ class SessionController;
 struct Document;
 
 // Follows the pointer over the picture until a click pins the probe to a point of the surface; a
-// pinned one stays on its point while camera, light and parameters change. On a depth file the
-// texel is the probe and the session's receiver the depth.
+// pinned one stays on its point while camera, light and parameters change, in sight or not. On a
+// depth file the texel is the probe and the session's receiver the depth.
 class Prober : public QObject {
   Q_OBJECT
 
@@ -36,9 +38,22 @@ class Prober : public QObject {
   void failed(const QString& message);
 
  private:
+  // A point of a surface, as the frame showed it.
+  struct Place {
+    Pixel pixel;
+    SurfacePoint surface;
+    std::optional<Plane> plane;  // around it
+    double depth = 0.0;          // in the light's frame, without bias
+    int map = 0;                 // the revision of the map that it was read in
+    bool inSight = true;
+  };
+
   std::optional<ProbeReport> take();
   std::optional<ProbeReport> takeOnScene();
   std::optional<ProbeReport> takeOnDepthFile();
+  std::optional<Place> visiblePlace();
+  std::optional<Place> hiddenPlace();
+  ProbeReport probeAt(const Place& place);
   ProbeReport probe(const DepthMap& map, const ReadPoint& read, double receiver, int revision);
   std::optional<Pixel> pinnedPixel();
   void sessionChanged(const Document& before, const Document& after);
@@ -48,6 +63,7 @@ class Prober : public QObject {
   std::optional<ProbeReport> report_;
   std::optional<Pixel> hover_;
   std::optional<Eigen::Vector3d> pinnedPoint_;             // world, once the frame has told it
+  std::optional<Place> lastSeen_;                          // where the probe was last in sight
   std::vector<std::shared_ptr<const Technique>> adapted_;  // to the map of `adaptedTo_`
   int adaptedTo_ = -1;
 };

@@ -42,7 +42,7 @@ class DocumentCommand : public QUndoCommand {
 SessionController::SessionController(const Session& session, QObject* parent)
     : QObject(parent),
       catalogue_(allTechniques()),
-      document_{session, loadContent(session.source)},
+      document_{session, loadSource(session.source)},
       loader_(new SourceLoader(this)) {
   rebuildTechniques(session);
   undo_.setUndoLimit(500);

@@ -18,7 +18,7 @@ class SessionController : public QObject {
   Q_OBJECT
 
  public:
-  // Throws as loadContent does.
+  // Throws as loadSource does.
   explicit SessionController(const Session& session, QObject* parent = nullptr);
 
   const Session& session() const { return document_.session; }

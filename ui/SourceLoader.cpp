@@ -16,7 +16,7 @@ void SourceLoader::load(const Session& session) {
     Document document{session, {}};
     QString error;
     try {
-      document.content = loadContent(session.source);
+      document.content = loadSource(session.source);
     } catch (const std::exception& problem) {
       error = QString::fromUtf8(problem.what());
     }

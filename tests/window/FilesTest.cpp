@@ -71,6 +71,22 @@ void WindowTest::aBadFileLeavesTheSceneOpen() {
   QVERIFY(!window.controller().undoStack().canUndo());
 }
 
+void WindowTest::droppedFacesAreReported() {
+  MainWindow& window = open();
+  const QString file = folder_.filePath("flat.obj");
+  QFile written(file);
+  QVERIFY(written.open(QIODevice::WriteOnly));
+  written.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nf 1 2 3\nf 1 2 4\n");  // one is a line
+  written.close();
+  window.openFile(file.toStdString());
+  settle();
+  QCOMPARE(window.controller().document().content.scene->title, std::string("flat.obj"));
+  QVERIFY(
+      window.centre().banner().text().contains("flat.obj: faces left out: 1 without area, 0 with"));
+  key(Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(window.centre().banner().text().isEmpty());
+}
+
 void WindowTest::anotherSceneOpensAndUndoBringsTheFirstBack() {
   MainWindow& window = open();
   const Document before = window.controller().document();

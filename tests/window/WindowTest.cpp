@@ -7,6 +7,8 @@
 #include <QSettings>
 #include <QTableView>
 #include <QTest>
+#include <algorithm>
+#include <cmath>
 
 #include "ui/EvidencePanes.h"
 #include "ui/Prober.h"
@@ -167,6 +169,35 @@ void WindowTest::aPinnedProbeStaysOnItsPoint() {
   // Of two neighbouring pixels both may be nearest to the point.
   const double pixelSize = 2.0 * way.norm() / window.view().pixels().height();
   QVERIFY((*report->point - point).norm() < 4.0 * pixelSize);
+}
+
+// Out of the picture the probe has no pixel, and still follows what is set.
+void WindowTest::aHiddenProbeFollowsTheParameters() {
+  MainWindow& window = open();
+  QVERIFY(result("vsm").gpu.has_value());
+  const double before = result("vsm").visibility;
+  const Probe seen = window.prober().report()->probe;
+  Camera camera = window.controller().document().content.scene->camera;
+  const Eigen::Vector3d way = camera.target - camera.position;
+  camera.target = camera.position - way;  // looks the other way
+  emit window.view().cameraMoved(camera);
+  settle();
+  QVERIFY(!result("vsm").gpu.has_value());
+  QCOMPARE(result("vsm").visibility, before);
+  window.controller().edit("Reduce bleeding", [](Session& session) {
+    session.parameters["vsm"]["bleed-reduction"] = 0.3;
+  });
+  settle();
+  // Lauritzen 2008, §3.4: (p − a) / (1 − a).
+  const double expected = std::max(0.0, (before - 0.3) / 0.7);
+  QVERIFY(expected != before);
+  QVERIFY(std::abs(result("vsm").visibility - expected) < 1e-12);
+  QCOMPARE(window.prober().report()->probe.receiver, seen.receiver);
+  QCOMPARE(window.prober().report()->probe.reference, seen.reference);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(result("vsm").gpu.has_value());
+  QCOMPARE(result("vsm").visibility, before);
 }
 
 void WindowTest::theSmallestScreenHoldsEverything() {

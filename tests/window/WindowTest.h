@@ -25,6 +25,7 @@ class WindowTest : public QObject {
   void theTableAgreesWithTheAnalysis();
   void hoveringProbesAndLeavingKeepsTheProbe();
   void aPinnedProbeStaysOnItsPoint();
+  void aHiddenProbeFollowsTheParameters();
   void aParameterChangeIsUndoneAndRedone();
   void aSliderDragIsOneStep();
   void digitsSwitchTechniques();
@@ -35,6 +36,7 @@ class WindowTest : public QObject {
   void aDockFloatsAndComesBack();
   void pictureAndPlotsAreWritten();
   void aBadFileLeavesTheSceneOpen();
+  void droppedFacesAreReported();
   void anotherSceneOpensAndUndoBringsTheFirstBack();
   void aSceneParameterRebuildsTheScene();
   void aDepthFileIsProbedByTexel();

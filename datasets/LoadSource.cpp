@@ -1,0 +1,38 @@
+#include "datasets/LoadSource.h"
+
+#include "datasets/DepthFile.h"
+#include "datasets/MeshFile.h"
+#include "datasets/SceneCatalogue.h"
+#include "filters/core/Error.h"
+
+namespace umbra {
+namespace {
+
+Scene readScene(const SceneSource& source, std::vector<std::string>& notices) {
+  if (source.kind == SourceKind::Catalogue) return makeScene(source.name, source.parameters);
+  MeshReport report;
+  Scene scene = sceneFromMeshFile(source.name, &report);
+  const std::size_t flat = report.degenerateFaces, wild = report.nonFiniteFaces;
+  if (flat + wild > 0)
+    notices.push_back(source.name + ": faces left out: " + std::to_string(flat) +
+                      " without area, " + std::to_string(wild) +
+                      " with coordinates that are not finite");
+  return scene;
+}
+
+}  // namespace
+
+Content loadSource(const SceneSource& source) {
+  Content content;
+  if (source.kind == SourceKind::DepthFile) {
+    content.depth = std::make_shared<const DepthMap>(
+        readDepthFile(source.name, source.channel, source.depthNear, source.depthFar));
+    return content;
+  }
+  content.scene = std::make_shared<const Scene>(readScene(source, content.notices));
+  if (content.scene->triangleCount() == 0)
+    throw Error(ErrorKind::BadInput, source.name + ": there is no triangle to draw");
+  return content;
+}
+
+}  // namespace umbra

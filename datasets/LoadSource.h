@@ -1,0 +1,27 @@
+// What a source names, read or built: for the window and the command line alike.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "datasets/Session.h"
+#include "filters/core/Image.h"
+
+namespace umbra {
+
+// Either a scene or a depth map. Shared and never changed, so that an undo step costs nothing.
+struct Content {
+  std::shared_ptr<const Scene> scene;
+  std::shared_ptr<const DepthMap> depth;
+  // One line for people for each thing that was left out on the way, such as faces without area.
+  std::vector<std::string> notices;
+
+  bool operator==(const Content&) const = default;
+};
+
+// Throws BadInput for what cannot be read, is not in the catalogue or has no triangle to draw. Safe
+// on any thread.
+Content loadSource(const SceneSource& source);
+
+}  // namespace umbra
