@@ -18,6 +18,16 @@ inline constexpr ViewColour darkeningColour{0.02f, 0.31f, 0.73f};
 // The error whose colour is full.
 inline constexpr float fullError = 1.0f;
 
+// Of layers, from the light outwards, in turn: neighbours differ in hue and lightness.
+inline constexpr std::array<ViewColour, 8> layerColours{{{0.99f, 0.86f, 0.55f},
+                                                         {0.45f, 0.68f, 0.82f},
+                                                         {0.93f, 0.66f, 0.51f},
+                                                         {0.56f, 0.78f, 0.60f},
+                                                         {0.80f, 0.66f, 0.84f},
+                                                         {0.86f, 0.84f, 0.70f},
+                                                         {0.48f, 0.60f, 0.72f},
+                                                         {0.90f, 0.74f, 0.80f}}};
+
 inline ViewColour errorColour(double error) {
   const ViewColour& end = error > 0.0 ? bleedingColour : darkeningColour;
   const float share = float(std::min(std::abs(error) / fullError, 1.0));

@@ -15,7 +15,6 @@
 #include <utility>
 
 #include "FullScreen_vert_glsl.h"
-#include "ShadowMapRead_glsl.h"
 #include "View_frag_glsl.h"
 #include "filters/core/Error.h"
 #include "filters/gpu/SceneActors.h"
@@ -37,12 +36,13 @@ bool sameTechnique(Technique& a, Technique& b) {
   return true;
 }
 
-// As View.frag.glsl counts them. The techniques so far have no layers to tint.
-int viewNumber(ViewMode view) {
+// As View.frag.glsl counts them. A technique without layers has nothing to tint.
+int viewNumber(ViewMode view, const Technique& technique) {
   switch (view) {
     case ViewMode::Shaded:
-    case ViewMode::Layers:
       return 0;
+    case ViewMode::Layers:
+      return technique.info().layered ? 4 : 0;
     case ViewMode::Visibility:
       return 1;
     case ViewMode::Error:
@@ -202,7 +202,8 @@ void vtkUmbraFramePass::CullInsides(vtkRenderer* renderer) {
 
 // Copies picture and depth as they are, where the window's buffers are of the same kind.
 bool vtkUmbraFramePass::CopyShaded(vtkRenderer* renderer) {
-  if (viewNumber(this->Settings.view) != 0 || renderer->GetGradientBackground()) return false;
+  if (viewNumber(this->Settings.view, *this->Adapted) != 0 || renderer->GetGradientBackground())
+    return false;
   GLint target = 0, samples = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
   glGetNamedFramebufferParameteriv(GLuint(target), GL_SAMPLES, &samples);
@@ -230,9 +231,9 @@ void vtkUmbraFramePass::Show(vtkRenderer* renderer) {
   gl->vtkglDepthFunc(GL_ALWAYS);
   gl->vtkglDepthMask(GL_TRUE);
 
-  const std::string fragment =
-      std::string("#version 430\n#define UMBRA_CHANNELS 1\n#define UMBRA_VIEW ") +
-      std::to_string(viewNumber(this->Settings.view)) + "\n" + ShadowMapRead_glsl + View_frag_glsl;
+  const std::string fragment = "#version 430\n#define UMBRA_VIEW " +
+                               std::to_string(viewNumber(this->Settings.view, *this->Adapted)) +
+                               "\n" + techniqueSource(*this->Adapted) + View_frag_glsl;
   const GLuint program = this->Programs.screen("view", FullScreen_vert_glsl, fragment);
   int width = 0, height = 0, left = 0, bottom = 0;
   renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
@@ -250,7 +251,9 @@ void vtkUmbraFramePass::Show(vtkRenderer* renderer) {
   gl::setUniform3(program, "umbraDarkeningColour", darkeningColour);
   gl::setUniform(program, "umbraFullError", fullError);
   gl::setUniform(program, "umbraOrigin", left, bottom);
+  gl::setUniform3(program, "umbraLayerColours", {layerColours[0].data(), 3 * layerColours.size()});
   setReadUniforms(program, this->Settings.kernel, this->Settings.read);
+  setTechniqueUniforms(program, *this->Adapted, this->Settings.map.format);
 
   if (!this->NoVertices) {
     GLuint name = 0;

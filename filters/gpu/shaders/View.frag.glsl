@@ -1,5 +1,5 @@
 // Shows the shaded picture, or one quantity of it, and hands the scene's depth to what is drawn
-// over it. UMBRA_VIEW: 0 shaded, 1 visibility, 2 error, 3 depth.
+// over it. UMBRA_VIEW: 0 shaded, 1 visibility, 2 error, 3 depth, 4 layers.
 
 uniform sampler2D umbraColour;    // the shaded picture
 uniform sampler2D umbraSurfaces;  // u, v, z_r, visibility; u < 0 where there is no surface
@@ -9,6 +9,7 @@ uniform vec3 umbraNoErrorColour;
 uniform vec3 umbraBleedingColour;
 uniform vec3 umbraDarkeningColour;
 uniform float umbraFullError;
+uniform vec3 umbraLayerColours[8];  // taken in turn
 
 layout(location = 0) out vec4 umbraShown;
 
@@ -24,6 +25,19 @@ float umbraError(vec4 surface) {
   return surface.w - umbraPercentageCloser(surface.z);
 }
 
+// A little of the shading stays, without hue, so that shapes can be told apart.
+float umbraShading(vec3 colour) {
+  return mix(0.7, 1.0, smoothstep(0.0, 0.8, dot(colour, vec3(0.30, 0.59, 0.11))));
+}
+
+#if UMBRA_VIEW == 4
+vec3 umbraLayerColour(float receiver) {
+  vec2 place = umbraLayer(receiver);
+  int layer = int(place.x);
+  return mix(umbraLayerColours[layer % 8], umbraLayerColours[(layer + 1) % 8], place.y);
+}
+#endif
+
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy) - umbraOrigin;
   float depth = texelFetch(umbraDepth, pixel, 0).r;
@@ -37,10 +51,10 @@ void main() {
 #if UMBRA_VIEW == 1
   umbraShown.rgb = vec3(surface.z < 0.0 ? 0.0 : surface.w);
 #elif UMBRA_VIEW == 2
-  // A little of the shading stays, without hue, so that shapes can be told apart.
-  float shading = mix(0.7, 1.0, smoothstep(0.0, 0.8, dot(colour.rgb, vec3(0.30, 0.59, 0.11))));
-  umbraShown.rgb = shading * umbraErrorColour(umbraError(surface));
+  umbraShown.rgb = umbraShading(colour.rgb) * umbraErrorColour(umbraError(surface));
 #elif UMBRA_VIEW == 3
   umbraShown.rgb = vec3(1.0 - abs(surface.z));
+#elif UMBRA_VIEW == 4
+  umbraShown.rgb = umbraShading(colour.rgb) * umbraLayerColour(abs(surface.z));
 #endif
 }
