@@ -90,8 +90,13 @@ Probe takeProbe(const ProbeRequest& request) {
   probe.receiver = request.receiver;
   probe.statistics = statisticsOf(probe.region);
   probe.reference = referenceVisibility(probe.region, probe.receiver);
-  for (const auto& technique : request.techniques)
-    probe.techniques.push_back(resultOf(technique, request, probe));
+  for (const auto& technique : request.techniques) {
+    const std::string refusal = technique->refusal(request.format);
+    if (refusal.empty())
+      probe.techniques.push_back(resultOf(technique, request, probe));
+    else
+      probe.refused.push_back({technique, refusal});
+  }
   return probe;
 }
 

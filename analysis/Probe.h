@@ -39,12 +39,19 @@ struct TechniqueResult {
   std::optional<double> gpu;  // the visibility that the shaded frame used at this pixel
 };
 
+// A technique that cannot be stored in the format of the request, and the reason.
+struct RefusedTechnique {
+  std::shared_ptr<const Technique> technique;
+  std::string reason;
+};
+
 struct Probe {
   Region region;
   double receiver = 0.0;
   RegionStatistics statistics;
   double reference = 0.0;  // exact percentage-closer filtering
   std::vector<TechniqueResult> techniques;
+  std::vector<RefusedTechnique> refused;  // have no result
 };
 
 Probe takeProbe(const ProbeRequest& request);

@@ -42,6 +42,19 @@ TEST(ReadPoint, FindsEveryTexelAgain) {
   }
 }
 
+TEST(Probe, SaysWhichTechniquesTheFormatCannotHold) {
+  const DepthMap map = randomMap(9, 9, 2);
+  ProbeRequest request = requestOn(map, 4, 4, 0.6);
+  request.format = StorageFormat::Unorm8;
+  const Probe probe = takeProbe(request);
+  EXPECT_EQ(probe.techniques.size() + probe.refused.size(), request.techniques.size());
+  EXPECT_NO_THROW(resultNamed(probe, "vsm"));
+  EXPECT_ANY_THROW(resultNamed(probe, "esm"));
+  ASSERT_FALSE(probe.refused.empty());
+  for (const RefusedTechnique& refused : probe.refused)
+    EXPECT_EQ(refused.reason, refused.technique->refusal(StorageFormat::Unorm8));
+}
+
 TEST(Probe, TakesTheRegionOfItsTexel) {
   const DepthMap map = randomMap(20, 12, 1);
   const Probe probe = takeProbe(requestOn(map, 19, 0, 0.6));

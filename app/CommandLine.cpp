@@ -51,7 +51,17 @@ const CLI::App& asked(const CLI::App& program) {
   return commands.empty() ? program : *commands.front();
 }
 
-std::string unexpected(const CLI::App& command, const std::vector<std::string>& words) {
+// What is said of a word that nothing takes.
+std::string unexpected(const CLI::App& program) {
+  const CLI::App& command = asked(program);
+  std::vector<std::string> words = command.remaining(true);
+  if (words.empty()) {
+    // Then it stands before the command's name.
+    words = program.remaining();
+    if (command.get_parent() && !words.empty())
+      return words.front() + ": is not expected before `" + command.get_name() +
+             "`, options go after the command's name";
+  }
   const std::string word = words.empty() ? "" : words.front();
   std::vector<std::string> known;
   for (const CLI::Option* option : command.get_options())
@@ -85,7 +95,7 @@ class Program {
     } catch (const CLI::ExtrasError&) {
       // A mistyped command is also an argument that is not expected, and the better explanation.
       if (asked(app_).get_parent() == nullptr) window_.checkArgument();
-      throw Error(ErrorKind::BadCommandLine, unexpected(asked(app_), asked(app_).remaining(true)));
+      throw Error(ErrorKind::BadCommandLine, unexpected(app_));
     } catch (const CLI::ParseError& error) {
       throw Error(ErrorKind::BadCommandLine, oneLine(error.what()));
     }

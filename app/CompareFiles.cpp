@@ -12,6 +12,7 @@ void writeCompare(OutputFolder& folder, const std::vector<MetricsRow>& rows) {
   for (const Json& row : object["techniques"]) {
     std::string heading, line;
     for (const auto& [name, value] : row.items()) {
+      if (value.is_object()) continue;  // not every technique has a smallest reduction
       const std::string comma = line.empty() ? "" : ",";
       heading += comma + name;
       line += comma + (value.is_string() ? value.get<std::string>() : value.dump());
@@ -26,7 +27,7 @@ void writeCompare(OutputFolder& folder, const std::vector<MetricsRow>& rows) {
 std::string compareText(const std::vector<MetricsRow>& rows) {
   std::vector<TableRow> table{
       {"TECHNIQUE", "RMSE", "MAE", "BLEEDING", "DARKENING", "MAX", "MIN", "UMBRA BLEEDING"}};
-  for (const auto& [id, m] : rows)
+  for (const auto& [id, m, reduction] : rows)
     table.push_back({id, shortNumber(m.rmse), shortNumber(m.mae), shortNumber(m.bleeding),
                      shortNumber(m.darkening), shortNumber(m.max), shortNumber(m.min),
                      shortNumber(m.umbraBleeding)});

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "app/SceneProbe.h"
+#include "analysis/ReceiverPixels.h"
 
 namespace umbra {
 namespace {

@@ -42,6 +42,10 @@ Json techniquesToJson(const Probe& probe) {
                 {"visibility", result.visibility},
                 {"error", result.error}};
     if (result.gpu) row["gpu"] = *result.gpu;
+    if (const auto reduction = bleedReductionOf(probe, result))
+      row["smallestReduction"] = {{"amount", reduction->amount},
+                                  {"darkening", reduction->darkening},
+                                  {"removesAll", reduction->removesAll}};
     rows.push_back(row);
   }
   return rows;
@@ -56,10 +60,6 @@ Json curvesToJson(const Probe& probe, int samples) {
 }
 
 }  // namespace
-
-Json toJson(const ParameterValue& value) {
-  return std::visit([](const auto& v) { return Json(v); }, value);
-}
 
 Json parametersOf(const Technique& technique) {
   Json object = Json::object();
@@ -89,15 +89,22 @@ Json probeToJson(const Probe& probe, const DepthMap& map, const ProbeReport& rep
 
 Json compareToJson(const std::vector<MetricsRow>& rows) {
   Json techniques = Json::array();
-  for (const auto& [id, metrics] : rows)
-    techniques.push_back({{"name", id},
-                          {"rmse", metrics.rmse},
-                          {"mae", metrics.mae},
-                          {"bleeding", metrics.bleeding},
-                          {"darkening", metrics.darkening},
-                          {"max", metrics.max},
-                          {"min", metrics.min},
-                          {"umbraBleeding", metrics.umbraBleeding}});
+  for (const auto& [id, metrics, reduction] : rows) {
+    Json row = {{"name", id},
+                {"rmse", metrics.rmse},
+                {"mae", metrics.mae},
+                {"bleeding", metrics.bleeding},
+                {"darkening", metrics.darkening},
+                {"max", metrics.max},
+                {"min", metrics.min},
+                {"umbraBleeding", metrics.umbraBleeding}};
+    if (reduction)
+      row["smallestReduction"] = {{"amount", reduction->amount},
+                                  {"darkening", reduction->meanDarkening},
+                                  {"maxDarkening", reduction->darkening},
+                                  {"removesAll", reduction->removesAll}};
+    techniques.push_back(row);
+  }
   return {{"format", "umbrascope-compare/1"},
           {"samples", rows.empty() ? 0 : rows.front().metrics.samples},
           {"reference", "pcf"},

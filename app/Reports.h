@@ -1,16 +1,21 @@
 // Results as JSON, with the names of fields that other programs rely on.
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/BleedReduction.h"
 #include "analysis/Metrics.h"
 #include "analysis/Probe.h"
 #include "app/Output.h"
 #include "datasets/SceneCatalogue.h"
+#include "datasets/SessionFile.h"
 #include "filters/core/Parameters.h"
 #include "filters/core/Technique.h"
 
 namespace umbra {
 
-Json toJson(const ParameterValue& value);
 // All parameters by name.
 Json parametersOf(const Technique& technique);
 
@@ -22,14 +27,16 @@ struct ProbeReport {
   int bins = 60;
   int samples = 0;  // of the curves; 0 leaves them out
 };
-// "umbrascope-probe/1". Statistics that are infinite are null.
+// "umbrascope-probe/1". Statistics that are infinite are null. The darkening of a smallest
+// reduction is the largest on receivers at the region's own depths.
 Json probeToJson(const Probe& probe, const DepthMap& map, const ProbeReport& report);
 
 struct MetricsRow {
   std::string technique;
   Metrics metrics;
+  std::optional<BleedReduction> reduction;  // of techniques that have the parameter
 };
-// "umbrascope-compare/1".
+// "umbrascope-compare/1". The darkening of a smallest reduction is a mean, as that of the metrics.
 Json compareToJson(const std::vector<MetricsRow>& rows);
 
 // The entry of one technique or scene in its catalogue.

@@ -1,16 +1,21 @@
 #include "app/SceneCompare.h"
 
-#include "app/SceneProbe.h"
-
 namespace umbra {
 
-Metrics metricsOf(HeadlessFrame& frame) {
-  const Image<float> surfaces = frame.surfaces(), reference = frame.reference();
+MetricsRow compareFrame(HeadlessFrame& frame, const Technique& technique) {
+  const Image<float> reference = frame.reference();
+  std::vector<BoundSample> samples = boundSamplesOf(frame.surfaces(), reference);
   MetricsSum sum;
-  for (int y = 0; y < surfaces.height(); ++y)
-    for (int x = 0; x < surfaces.width(); ++x)
-      if (receivesShadow(surfaces.pixel(x, y))) sum.add(surfaces(x, y, 3), reference(x, y));
-  return sum.result();
+  for (const BoundSample& sample : samples) sum.add(sample.bound, sample.reference);
+  MetricsRow row{std::string(technique.info().id), sum.result(), {}};
+  const std::optional<double> largest = largestBleedReduction(technique);
+  if (!largest) return row;
+  if (bleedReduction(technique) > 0.0) {
+    frame.render(*withBleedReduction(technique, 0.0), ViewMode::Shaded);
+    samples = boundSamplesOf(frame.surfaces(), reference);
+  }
+  row.reduction = bleedReductionOver(samples, *largest);
+  return row;
 }
 
 }  // namespace umbra

@@ -1,5 +1,6 @@
 #include "app/SceneProbe.h"
 
+#include "analysis/ReceiverPixels.h"
 #include "app/Cancellation.h"
 #include "app/Reports.h"
 #include "filters/core/Error.h"
@@ -32,9 +33,13 @@ SurfacePoint surfaceOf(HeadlessFrame& frame, const Session& session, Pixel pixel
 
 }  // namespace
 
-bool receivesShadow(std::span<const float> surface) {
-  const float u = surface[0], v = surface[1], receiver = surface[2];
-  return u >= 0 && u <= 1 && v >= 0 && v <= 1 && receiver > 0;
+std::shared_ptr<Technique> suspectOf(const std::vector<std::shared_ptr<Technique>>& chosen) {
+  std::shared_ptr<Technique> bound;
+  for (const auto& technique : chosen) {
+    if (technique->info().id == "vsm") return technique;
+    if (!bound && technique->info().upperBound) bound = technique;
+  }
+  return bound ? bound : chosen.front();
 }
 
 SceneProbe probeScene(HeadlessFrame& frame, const Session& session,

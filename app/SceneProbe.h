@@ -22,14 +22,14 @@ struct SceneProbe {
 SceneProbe probeScene(HeadlessFrame& frame, const Session& session,
                       const std::vector<std::shared_ptr<Technique>>& techniques, Pixel pixel);
 
+// The technique of which the worst pixel is shown: VSM, which bleeds, where it is among `chosen`;
+// else the first that is an upper bound, else the first.
+std::shared_ptr<Technique> suspectOf(const std::vector<std::shared_ptr<Technique>>& chosen);
+
 // Where `technique` bleeds most plainly; in a picture that bleeds nowhere visibly, the pixel that
 // receives shadow and is farthest above the reference.
 // Throws WorkFailed where no pixel of the frame is lit by the light's map.
 Pixel worstBleeding(HeadlessFrame& frame, const Technique& technique);
-
-// Whether the surface of a pixel, four values of HeadlessFrame::surfaces, takes part in shadows:
-// it is there, faces the light and lies inside the light's frame.
-bool receivesShadow(std::span<const float> surface);
 
 // The fields of probeToJson with "pixel", "world" and "uv".
 Json sceneProbeToJson(const SceneProbe& probe, const DepthMap& map, const std::string& name,

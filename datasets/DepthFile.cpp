@@ -12,10 +12,12 @@
 #include <half.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "filters/core/AtomicFile.h"
 #include "filters/core/Error.h"
+#include "filters/core/Parameters.h"
 #include "filters/core/Text.h"
 
 namespace umbra {
@@ -100,7 +102,23 @@ Image<float> readChannel(const fs::path& file, const std::string& wanted) {
 }
 
 std::string rangeText(double near, double far) {
-  return "from " + shortNumber(near) + " to " + shortNumber(far);
+  return "from " + toText(near) + " to " + toText(far);
+}
+
+// The fewest digits that stand for this value and no other: 1.0000001 is not 1.
+std::string exactly(float value) {
+  char buffer[32];
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
+}
+
+// Checked by OpenEXR before it allocates anything. It is a setting of the whole process, and files
+// are read on several threads.
+void limitImageSize() {
+  static const bool limited = [] {
+    Imf::Header::setMaxImageSize(largestSide, largestSide);
+    return true;
+  }();
+  (void)limited;
 }
 
 }  // namespace
@@ -108,12 +126,13 @@ std::string rangeText(double near, double far) {
 DepthMap readDepthFile(const fs::path& file, const std::string& channel, double near, double far) {
   if (!std::isfinite(near) || !std::isfinite(far) || near == far)
     refuse(file, "the depth range " + rangeText(near, far) + " is empty; near and far must differ");
+  if (!std::isfinite(far - near))
+    refuse(file, "the depth range " + rangeText(near, far) + " is too wide to divide by");
   std::error_code problem;
   if (!fs::is_regular_file(file, problem)) refuse(file, "there is no such file");
   Image<float> image;
   try {
-    // Checked by OpenEXR before it allocates anything; it is a setting of the whole process.
-    Imf::Header::setMaxImageSize(largestSide, largestSide);
+    limitImageSize();
     image = readChannel(file, channel);
   } catch (const Error&) {
     throw;
@@ -125,11 +144,11 @@ DepthMap readDepthFile(const fs::path& file, const std::string& channel, double 
   DepthMap map(image.width(), image.height());
   for (int y = 0; y < image.height(); ++y)
     for (int x = 0; x < image.width(); ++x) {
-      const double value = image(x, y), z = (value - near) / (far - near);
+      const float value = image(x, y);
+      const double z = (value - near) / (far - near);
       if (!(z >= 0.0 && z <= 1.0))
         refuse(file, "texel " + std::to_string(x) + "," + std::to_string(y) + " is " +
-                         shortNumber(value) + "; depths are finite numbers " +
-                         rangeText(near, far));
+                         exactly(value) + "; depths are finite numbers " + rangeText(near, far));
       map(x, y) = z;
     }
   return map;

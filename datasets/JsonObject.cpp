@@ -67,15 +67,16 @@ void JsonObject::read(std::string_view key, std::string& target) {
   target = value->get<std::string>();
 }
 
-void JsonObject::readName(std::string_view key,
-                          const std::function<void(const std::string&)>& parse) {
+void JsonObject::readName(
+    std::string_view key,
+    const std::function<void(const std::string& name, const std::string& where)>& parse) {
   std::string name;
   if (!value_.contains(std::string(key))) return void(known_.emplace_back(key));
   read(key, name);
   try {
-    parse(name);
+    parse(name, whereOf(key));
   } catch (const Error& error) {
-    throw Error(ErrorKind::BadInput, whereOf(key) + ": " + error.what());
+    throw Error(ErrorKind::BadInput, error.what());
   }
 }
 

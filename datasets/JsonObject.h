@@ -21,8 +21,11 @@ class JsonObject {
   void read(std::string_view key, int& target, int low, int high);
   void read(std::string_view key, bool& target);
   void read(std::string_view key, std::string& target);
-  // A name that `parse` turns into a value; its error becomes one of this key.
-  void readName(std::string_view key, const std::function<void(const std::string&)>& parse);
+  // A name that `parse` turns into a value; whatever Error it throws becomes BadInput. `where`
+  // names file and key, for the error's message.
+  void readName(
+      std::string_view key,
+      const std::function<void(const std::string& name, const std::string& where)>& parse);
   // Exactly three finite numbers.
   void readVector(std::string_view key, double (&target)[3]);
   // Calls `visit` with the object at `key`.

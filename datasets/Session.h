@@ -2,10 +2,14 @@
 // session file all edit it; the same session gives the same picture in the window and without one.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "filters/core/FrameSettings.h"
 #include "filters/core/Light.h"
@@ -33,10 +37,13 @@ struct Pixel {
   bool operator==(const Pixel&) const = default;
 };
 
-// Values that differ from the defaults, by technique and parameter.
-using TechniqueParameters = std::map<std::string, std::map<std::string, ParameterValue>>;
+// Values that differ from the defaults, by parameter; and those by technique.
+using ParameterValues = std::map<std::string, ParameterValue>;
+using TechniqueParameters = std::map<std::string, ParameterValues>;
 
 struct Session {
+  static constexpr int smallestSide = 16, largestSide = 16384;  // of a picture, pixels
+
   SceneSource source;
   std::optional<Light> light;    // the scene's own where not set
   std::optional<Camera> camera;  // likewise
@@ -56,5 +63,14 @@ struct Session {
 std::unique_ptr<Technique> techniqueOf(const Session& session, const TechniqueCatalogue& catalogue,
                                        const std::string& id,
                                        std::vector<std::string>* notices = nullptr);
+
+// Lets `change` set parameters of the technique `id`, which have the session's values, and stores
+// all of them anew: to set one may change others, as splits change the number of layers.
+void editParameters(Session& session, const TechniqueCatalogue& catalogue, const std::string& id,
+                    const std::function<void(std::span<const Parameter>)>& change);
+
+// Throws BadInput where `values` cannot stand together, such as two splits and seven layers:
+// setting one changed another. `where` is what the message begins with: a file and key.
+void checkTogether(const ParameterValues& values, Technique& technique, std::string_view where);
 
 }  // namespace umbra

@@ -1,5 +1,6 @@
 #include "datasets/SessionFile.h"
 
+#include <cmath>
 #include <fstream>
 #include <limits>
 #include <sstream>
@@ -7,6 +8,7 @@
 #include "datasets/JsonObject.h"
 #include "filters/core/AtomicFile.h"
 #include "filters/core/Error.h"
+#include "filters/core/Text.h"
 
 namespace umbra {
 
@@ -96,12 +98,15 @@ Json lightJson(const Light& light) {
 
 Light lightFrom(JsonObject& object) {
   Light light;
-  object.readName("kind", [&](const std::string& name) { light.kind = lightKindFrom(name); });
+  object.readName("kind", [&](const std::string& name, const std::string& where) {
+    light.kind = lightKindFrom(name, where);
+  });
   readPoint(object, "position", light.position);
   readPoint(object, "target", light.target);
-  object.read("halfAngle", light.halfAngle, 1.0, 60.0);
+  object.read("halfAngle", light.halfAngle, Light::smallestHalfAngle, Light::largestHalfAngle);
   readPoint(object, "colour", light.colour);
-  object.read("intensity", light.intensity, 0.0, 1000.0);
+  object.read("intensity", light.intensity, 0.0, Light::largestIntensity);
+  validate(light, object.where());
   return light;
 }
 
@@ -117,7 +122,8 @@ Camera cameraFrom(JsonObject& object) {
   readPoint(object, "position", camera.position);
   readPoint(object, "target", camera.target);
   readPoint(object, "up", camera.up);
-  object.read("viewAngle", camera.viewAngle, 1.0, 170.0);
+  object.read("viewAngle", camera.viewAngle, Camera::smallestViewAngle, Camera::largestViewAngle);
+  validate(camera, object.where());
   return camera;
 }
 
@@ -139,26 +145,33 @@ Json frameJson(const FrameSettings& frame) {
 
 void readFrame(JsonObject& object, FrameSettings& frame) {
   object.read("mapSize", frame.map.size, MapSettings::smallest, MapSettings::largest);
-  object.readName("format",
-                  [&](const std::string& name) { frame.map.format = storageFormatFrom(name); });
-  object.readName("filter", [&](const std::string& name) { frame.read = readFilterFrom(name); });
-  object.readName("view", [&](const std::string& name) { frame.view = viewModeFrom(name); });
+  object.readName("format", [&](const std::string& name, const std::string& where) {
+    frame.map.format = storageFormatFrom(name, where);
+  });
+  object.readName("filter", [&](const std::string& name, const std::string& where) {
+    frame.read = readFilterFrom(name, where);
+  });
+  object.readName("view", [&](const std::string& name, const std::string& where) {
+    frame.view = viewModeFrom(name, where);
+  });
   object.readObject("kernel", [&](JsonObject& kernel) {
-    kernel.readName("shape",
-                    [&](const std::string& name) { frame.kernel.shape = kernelShapeFrom(name); });
+    kernel.readName("shape", [&](const std::string& name, const std::string& where) {
+      frame.kernel.shape = kernelShapeFrom(name, where);
+    });
     kernel.read("radius", frame.kernel.radius, 0, Kernel::largestRadius);
-    kernel.read("sigma", frame.kernel.sigma, 0.0, 1000.0);
+    kernel.read("sigma", frame.kernel.sigma, 0.0, Kernel::largestSigma);
+    if (const double sigma = frame.kernel.sigma; sigma != 0.0 && sigma < Kernel::smallestSigma)
+      throw Error(ErrorKind::BadInput, kernel.where() + ".sigma: " + toText(sigma) +
+                                           " is not right, it takes 0 or a number from " +
+                                           shortNumber(Kernel::smallestSigma) + " to " +
+                                           shortNumber(Kernel::largestSigma));
   });
   object.readObject("bias", [&](JsonObject& bias) {
-    bias.read("constant", frame.bias.constant, 0.0, 1.0);
-    bias.read("slope", frame.bias.slope, 0.0, 1000.0);
+    bias.read("constant", frame.bias.constant, 0.0, Bias::largestConstant);
+    bias.read("slope", frame.bias.slope, 0.0, Bias::largestSlope);
     bias.read("receiverPlane", frame.bias.receiverPlane);
     bias.read("cullFrontFaces", frame.bias.cullFrontFaces);
   });
-}
-
-Json valueJson(const ParameterValue& value) {
-  return std::visit([](const auto& held) { return Json(held); }, value);
 }
 
 ParameterValue valueFrom(const Json& json, const std::string& where) {
@@ -187,10 +200,15 @@ void readParameters(JsonObject& object, TechniqueParameters& parameters) {
           parameter.set(valueFrom(value, place), place);
           parameters[id][name] = parameter.get();
         });
+    if (parameters.contains(id)) checkTogether(parameters[id], *catalogue.make(id), where);
   });
 }
 
 }  // namespace
+
+Json toJson(const ParameterValue& value) {
+  return std::visit([](const auto& held) { return Json(held); }, value);
+}
 
 Json toJson(const Session& session) {
   Json json{{"format", formatName}, {"source", sourceJson(session.source)}};
@@ -200,7 +218,7 @@ Json toJson(const Session& session) {
   json["technique"] = session.technique;
   json["parameters"] = Json::object();
   for (const auto& [id, values] : session.parameters)
-    for (const auto& [name, value] : values) json["parameters"][id][name] = valueJson(value);
+    for (const auto& [name, value] : values) json["parameters"][id][name] = toJson(value);
   json["size"] = {session.width, session.height};
   if (session.probe) json["probe"] = {session.probe->x, session.probe->y};
   if (session.receiver) json["receiver"] = *session.receiver;
@@ -220,8 +238,8 @@ Session sessionFrom(const Json& json, std::string_view where) {
   object.readObject("light", [&](JsonObject& light) { session.light = lightFrom(light); });
   object.readObject("camera", [&](JsonObject& camera) { session.camera = cameraFrom(camera); });
   object.readObject("frame", [&](JsonObject& frame) { readFrame(frame, session.frame); });
-  object.readName("technique", [&](const std::string& id) {
-    session.technique = allTechniques().make(id)->info().id;
+  object.readName("technique", [&](const std::string& id, const std::string& place) {
+    session.technique = allTechniques().make(id, place)->info().id;
   });
   object.readObject("parameters", [&](JsonObject& parameters) {
     readParameters(parameters, session.parameters);
@@ -234,14 +252,18 @@ Session sessionFrom(const Json& json, std::string_view where) {
     const std::string place = std::string(where) + ": " + key;
     double x = 0.0, y = 0.0;
     readPair(json.at(key), place, x, y);
-    if (x != int(x) || y != int(y) || x < low || y < low || x > high || y > high)
+    const auto fits = [&](double n) { return n >= low && n <= high && n == std::floor(n); };
+    if (!fits(x) || !fits(y))
       throw Error(ErrorKind::BadInput, place + ": " + json.at(key).dump() +
                                            " should be two whole numbers from " +
                                            std::to_string(low) + " to " + std::to_string(high));
     use(int(x), int(y));
   };
-  readPixels("size", 1, 16384, [&](int x, int y) { session.width = x, session.height = y; });
-  readPixels("probe", 0, 16383, [&](int x, int y) { session.probe = Pixel{x, y}; });
+  readPixels("size", Session::smallestSide, Session::largestSide,
+             [&](int x, int y) { session.width = x, session.height = y; });
+  readPixels("probe", 0, Session::largestSide - 1, [&](int x, int y) {
+    session.probe = Pixel{x, y};
+  });
   object.readRest([&](const std::string& key, const Json&, const std::string& place) {
     if (key != "size" && key != "probe")
       throw Error(ErrorKind::BadInput, place + ": there is no such key");
@@ -254,15 +276,18 @@ std::string sessionToText(const Session& session) {
 }
 
 Session sessionFromText(std::string_view text, std::string_view where) {
-  Json json;
   try {
-    json = Json::parse(text);
+    return sessionFrom(Json::parse(text), where);
   } catch (const Json::parse_error& error) {
     throw Error(ErrorKind::BadInput, std::string(where) +
                                          ": is not JSON, it breaks off or errs at byte " +
                                          std::to_string(error.byte));
+  } catch (const Json::exception& error) {
+    // "[json.exception.out_of_range.406] number overflow parsing '1e400'"
+    const std::string what = error.what();
+    throw Error(ErrorKind::BadInput,
+                std::string(where) + ": cannot be read: " + what.substr(what.find(' ') + 1));
   }
-  return sessionFrom(json, where);
 }
 
 Session readSession(const std::filesystem::path& file) {

@@ -28,8 +28,10 @@
 namespace umbra {
 
 nlohmann::ordered_json toJson(const Session& session);
+nlohmann::ordered_json toJson(const ParameterValue& value);
 // `where` is what errors begin with, the file's name. Throws BadInput for an unknown key, a wrong
-// type, a value out of range, an unknown technique or parameter: each names its key.
+// type, a value out of range, an unknown technique or parameter, a light or camera without picture,
+// parameters that contradict each other: each names its key.
 Session sessionFrom(const nlohmann::ordered_json& json, std::string_view where);
 
 std::string sessionToText(const Session& session);  // indented

@@ -85,7 +85,7 @@ TEST_F(SessionFileTest, ErrorsNameFileAndKey) {
   EXPECT_EQ(errorOf(sessionWith(R"("frame": {"kernel": {"radios": 2}})")),
             "s.json: frame.kernel.radios: there is no such key; did you mean 'radius'?");
   EXPECT_EQ(errorOf(sessionWith(R"("frame": {"format": "hafl"})")),
-            "s.json: frame.format: format: 'hafl' is none of unorm8, unorm16, half, float, double");
+            "s.json: frame.format: 'hafl' is none of unorm8, unorm16, half, float, double");
   EXPECT_EQ(errorOf(sessionWith(R"("parameters": {"vsm": {"min-varianse": 1e-5}})")),
             "s.json: parameters.vsm.min-varianse: there is no parameter 'min-varianse'; did you "
             "mean 'min-variance'?");
@@ -101,6 +101,57 @@ TEST_F(SessionFileTest, ErrorsNameFileAndKey) {
             std::string::npos);
   EXPECT_NE(errorOf(sessionWith(R"("source": {"scene": "a", "mesh": "b"})")).find("exactly one"),
             std::string::npos);
+}
+
+TEST_F(SessionFileTest, NamesAreRefusedUnderTheirKey) {
+  EXPECT_EQ(errorOf(sessionWith(R"("technique": "vsn")")),
+            "s.json: technique: there is no 'vsn'; did you mean 'vsm'?");
+  EXPECT_EQ(errorOf(sessionWith(R"("frame": {"kernel": {"shape": "Box"}})")),
+            "s.json: frame.kernel.shape: 'Box' is none of none, box, gaussian");
+  EXPECT_EQ(errorOf(sessionWith(R"("frame": {"filter": "sat"})")),
+            "s.json: frame.filter: 'sat' is none of point, bilinear");
+}
+
+TEST_F(SessionFileTest, NumbersBeyondTheirTypeAreRefused) {
+  EXPECT_EQ(errorOf(sessionWith(R"("receiver": 1e400)")),
+            "s.json: cannot be read: number overflow parsing '1e400'");
+  EXPECT_EQ(errorOf(sessionWith(R"("probe": [1e300, 2])")),
+            "s.json: probe: [1e+300,2] should be two whole numbers from 0 to 16383");
+  EXPECT_EQ(errorOf(sessionWith(R"("size": [15, 200])")),
+            "s.json: size: [15,200] should be two whole numbers from 16 to 16384");
+  for (const char* sigma : {"1e-200", "0.0099", "-1", "1000.5"})
+    EXPECT_EQ(errorOf(sessionWith(R"("frame": {"kernel": {"sigma": )" + std::string(sigma) + "}}"))
+                  .find("s.json: frame.kernel.sigma: "),
+              0u)
+        << sigma;
+  for (const char* sigma : {"0", "0.01", "1000"})
+    EXPECT_EQ(errorOf(sessionWith(R"("frame": {"kernel": {"sigma": )" + std::string(sigma) + "}}")),
+              "no error");
+}
+
+TEST_F(SessionFileTest, LightsAndCamerasWithoutAPictureAreRefused) {
+  EXPECT_EQ(errorOf(sessionWith(R"("light": {"position": [1, 2, 3], "target": [1, 2, 3]})")),
+            "s.json: light: position and target are the same point, they should differ");
+  EXPECT_EQ(errorOf(sessionWith(R"("light": {"colour": [1, -1, 1]})")),
+            "s.json: light: the colour is -1, it should be from 0 to 1");
+  EXPECT_EQ(errorOf(sessionWith(R"("camera": {"up": [0, 0, 0]})")),
+            "s.json: camera: the up vector has no length, it should point up");
+  EXPECT_EQ(errorOf(sessionWith(R"("camera": {"position": [1, 2, 3], "target": [1, 2, 3]})")),
+            "s.json: camera: position and target are the same point, they should differ");
+  EXPECT_EQ(errorOf(sessionWith(R"("camera": {"viewAngle": 121})")),
+            "s.json: camera.viewAngle: 121 is not right, it takes a number from 1 to 120");
+}
+
+TEST_F(SessionFileTest, ParametersThatContradictEachOtherAreRefused) {
+  EXPECT_EQ(errorOf(sessionWith(R"("parameters": {"lvsm": {"splits": [0.2, 0.5], "layers": 7}})")),
+            "s.json: parameters.lvsm.layers: '7' contradicts the other parameters, which make it "
+            "'3'");
+  EXPECT_EQ(errorOf(sessionWith(
+                R"("parameters": {"lvsm": {"placement": "lloyd", "splits": [0.2, 0.5]}})")),
+            "s.json: parameters.lvsm.placement: 'lloyd' contradicts the other parameters, which "
+            "make it 'manual'");
+  EXPECT_EQ(errorOf(sessionWith(R"("parameters": {"lvsm": {"splits": [0.2, 0.5], "layers": 3}})")),
+            "no error");
 }
 
 TEST_F(SessionFileTest, WhatIsNoSessionIsRefused) {

@@ -2,6 +2,8 @@
 
 #include <QVBoxLayout>
 
+#include "ui/Prober.h"
+#include "ui/ReductionTools.h"
 #include "ui/SessionController.h"
 #include "ui/widgets/FrameSettingsForm.h"
 #include "ui/widgets/ParameterForm.h"
@@ -9,13 +11,28 @@
 #include "ui/widgets/TechniqueList.h"
 
 namespace umbra {
+namespace {
 
-ControlPane::ControlPane(SessionController& controller, QWidget* parent)
+std::map<StorageFormat, QString> formatRefusalsOf(const Technique& technique) {
+  std::map<StorageFormat, QString> reasons;
+  for (StorageFormat format : {StorageFormat::Unorm8, StorageFormat::Unorm16, StorageFormat::Half,
+                               StorageFormat::Float, StorageFormat::Double}) {
+    const std::string reason = technique.refusal(format);
+    if (!reason.empty()) reasons[format] = QString::fromStdString(reason);
+  }
+  return reasons;
+}
+
+}  // namespace
+
+ControlPane::ControlPane(SessionController& controller, Prober& prober, SceneView& view,
+                         QWidget* parent)
     : QScrollArea(parent),
       controller_(controller),
       techniques_(new TechniqueList),
       parameters_(new ParameterForm),
-      frame_(new FrameSettingsForm) {
+      frame_(new FrameSettingsForm),
+      reduction_(new ReductionTools(controller, prober, view)) {
   setFrameShape(QFrame::NoFrame);
   setWidgetResizable(true);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -24,6 +41,7 @@ ControlPane::ControlPane(SessionController& controller, QWidget* parent)
   auto* layout = new QVBoxLayout(inside);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(8);
+  parameters_->setTools(reduction_);
   layout->addWidget(techniques_);
   layout->addWidget(parameters_);
   layout->addWidget(frame_);
@@ -51,30 +69,33 @@ ControlPane::ControlPane(SessionController& controller, QWidget* parent)
                 "frame " + what);
           });
   connect(frame_, &FrameSettingsForm::editingFinished, this, [this] { controller_.endMerge(); });
+  connect(reduction_, &ReductionTools::amountFound, this, [this](double amount) {
+    controller_.endMerge();
+    changeParameter(style::text(bleedReductionName), amount);
+    controller_.endMerge();
+  });
+  connect(&prober, &Prober::reported, reduction_, &ReductionTools::followProbe);
   refresh();
 }
 
 void ControlPane::refresh() {
   techniques_->setCurrent(style::text(controller_.session().technique));
+  techniques_->setRefusals(controller_.refusals());
   parameters_->setTechnique(controller_.technique());
   parameters_->setNotices(controller_.notices());
   frame_->setSettings(controller_.session().frame);
+  frame_->setFormatRefusals(formatRefusalsOf(controller_.technique()));
+  reduction_->refresh();
 }
 
 void ControlPane::changeParameter(const QString& name, const ParameterValue& value) {
   const std::string id = controller_.session().technique, key = name.toStdString();
-  const std::unique_ptr<Technique> defaults = controller_.catalogue().make(id);
-  const std::vector<Parameter> fields = defaults->parameters();
-  const bool isDefault = parameterNamed(fields, key, id).defaultValue == value;
   controller_.edit(
       tr("Change %1").arg(style::label(key)),
       [&](Session& session) {
-        if (!isDefault) {
-          session.parameters[id][key] = value;
-        } else if (const auto set = session.parameters.find(id); set != session.parameters.end()) {
-          set->second.erase(key);
-          if (set->second.empty()) session.parameters.erase(set);
-        }
+        editParameters(session, controller_.catalogue(), id, [&](auto parameters) {
+          parameterNamed(parameters, key, id).set(value, id + "." + key);
+        });
       },
       style::text(id + "." + key));
 }

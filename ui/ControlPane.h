@@ -9,6 +9,9 @@ namespace umbra {
 
 class FrameSettingsForm;
 class ParameterForm;
+class Prober;
+class ReductionTools;
+class SceneView;
 class SessionController;
 class TechniqueList;
 
@@ -16,11 +19,13 @@ class ControlPane : public QScrollArea {
   Q_OBJECT
 
  public:
-  explicit ControlPane(SessionController& controller, QWidget* parent = nullptr);
+  ControlPane(SessionController& controller, Prober& prober, SceneView& view,
+              QWidget* parent = nullptr);
 
   TechniqueList& techniques() { return *techniques_; }
   ParameterForm& parameters() { return *parameters_; }
   FrameSettingsForm& frame() { return *frame_; }
+  ReductionTools& reduction() { return *reduction_; }
 
   QSize sizeHint() const override { return {268, 400}; }
 
@@ -32,6 +37,7 @@ class ControlPane : public QScrollArea {
   TechniqueList* techniques_;
   ParameterForm* parameters_;
   FrameSettingsForm* frame_;
+  ReductionTools* reduction_;
 };
 
 }  // namespace umbra

@@ -13,6 +13,7 @@
 #include "ui/FrameFigures.h"
 #include "ui/MessageBanner.h"
 #include "ui/Prober.h"
+#include "ui/ReductionTools.h"
 #include "ui/SceneForm.h"
 #include "ui/SceneView.h"
 #include "ui/widgets/Style.h"
@@ -25,7 +26,7 @@ MainWindow::MainWindow(const Session& session, QWidget* parent)
       view_(new SceneView),
       prober_(new Prober(controller_, *view_, this)),
       evidence_(new EvidencePanes(controller_, *view_, *prober_, this)),
-      controls_(new ControlPane(controller_)),
+      controls_(new ControlPane(controller_, *prober_, *view_)),
       centre_(new CentrePane(controller_, *view_, *prober_)),
       modes_(new QActionGroup(this)),
       techniques_(new QActionGroup(this)),
@@ -75,6 +76,7 @@ void MainWindow::connectParts() {
   connect(&controller_, &SessionController::failed, this, &MainWindow::showError);
   connect(view_, &SceneView::failed, this, &MainWindow::showError);
   connect(prober_, &Prober::failed, this, &MainWindow::showError);
+  connect(&controls_->reduction(), &ReductionTools::failed, this, &MainWindow::showError);
   connect(evidence_, &EvidencePanes::failed, this, &MainWindow::showError);
   connect(evidence_, &EvidencePanes::message, statusBar(),
           [this](const QString& text) { statusBar()->showMessage(text, 6000); });
@@ -118,8 +120,13 @@ void MainWindow::refresh() {
     action->setChecked(action->data().toInt() == int(session.frame.view));
     action->setEnabled(onScene);
   }
-  for (QAction* action : techniques_->actions())
-    action->setChecked(action->data().toString() == style::text(session.technique));
+  for (QAction* action : techniques_->actions()) {
+    const bool current = action->data().toString() == style::text(session.technique);
+    const QString refusal = controller_.refusals().value(action->data().toString());
+    action->setChecked(current);
+    action->setEnabled(current || refusal.isEmpty());
+    action->setToolTip(refusal);
+  }
   showFrameFigures();
 }
 

@@ -19,6 +19,7 @@
 #include "ui/widgets/PlotPane.h"
 #include "ui/widgets/ProbeTable.h"
 #include "ui/widgets/Style.h"
+#include "ui/widgets/TechniqueList.h"
 
 namespace umbra {
 namespace {
@@ -144,17 +145,18 @@ void MainWindow::makeViewMenu() {
 
 void MainWindow::makeTechniqueMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Technique"));
-  int digit = 0;
+  menu->setToolTipsVisible(true);
+  int place = 0;
   for (const Technique* technique : controller_.catalogue().all()) {
     const std::string id(technique->info().id);
-    const QKeySequence key = digit < 10 ? QKeySequence(Qt::Key_0 + digit) : QKeySequence();
+    const QKeySequence key(techniqueKey(place));
     QAction* action = addAction(*menu, style::text(technique->info().title), key, [this, id] {
       controller_.edit(tr("Choose technique"), [&](Session& session) { session.technique = id; });
     });
     action->setCheckable(true);
     action->setData(style::text(id));
     techniques_->addAction(action);
-    ++digit;
+    ++place;
   }
   menu->addSeparator();
   addAction(*menu, tr("Reset its &parameters"), {}, [this] {

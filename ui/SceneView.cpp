@@ -152,6 +152,28 @@ std::optional<SurfacePoint> SceneView::surfaceAt(const Pixel& pixel) {
   return shadow_->surfaceAt(pixel.x, pixel.y);
 }
 
+std::pair<Image<float>, Image<float>> SceneView::measure(const Technique& technique) {
+  makeCurrent();
+  const auto readBack = [this] { return std::pair(shadow_->surfaces(), shadow_->reference()); };
+  if (upToDate() && sameSettings(technique, *technique_)) return readBack();
+  // Whatever happens, the next frame is drawn with the session's technique again.
+  const auto restore = [this] {
+    shadow_->setTechnique(*technique_);
+    stale_ = true;
+    update();
+  };
+  try {
+    shadow_->setTechnique(technique);
+    shadow_->render();
+    auto measured = readBack();
+    restore();
+    return measured;
+  } catch (...) {
+    restore();
+    throw;
+  }
+}
+
 std::optional<Plane> SceneView::surfacePlane(const Pixel& pixel, const SurfacePoint& centre) {
   constexpr int step = 3;  // pixels: near enough to be one surface, far enough for float depths
   const auto worldAt = [&](int dx, int dy) -> std::optional<Eigen::Vector3d> {

@@ -5,6 +5,7 @@
 #include <QTimer>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "filters/gpu/ShadowRenderer.h"
 #include "ui/Document.h"
@@ -40,6 +41,9 @@ class SceneView : public QVTKOpenGLNativeWidget {
   // Of the last frame; null before the first one.
   ShadowRenderer* lastFrame() { return drawn_ ? shadow_.get() : nullptr; }
   std::optional<SurfacePoint> surfaceAt(const Pixel& pixel);
+  // Surfaces and reference of the frame as another technique would shade it; the picture stays.
+  // Throws as ShadowRenderer::render does.
+  std::pair<Image<float>, Image<float>> measure(const Technique& technique);
   // The surface around a pixel, as a plane.
   std::optional<Plane> surfacePlane(const Pixel& pixel, const SurfacePoint& centre);
   // Equal numbers mean equal depth maps, and equal channels.

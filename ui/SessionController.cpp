@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "ui/SourceLoader.h"
+#include "ui/widgets/Style.h"
 
 namespace umbra {
 
@@ -60,6 +61,16 @@ const Technique& SessionController::technique() const {
   return *techniques_.front();  // never: rebuildTechniques refuses an unknown one
 }
 
+QMap<QString, QString> SessionController::refusals() const {
+  QMap<QString, QString> reasons;
+  for (const auto& technique : techniques_) {
+    const std::string reason = technique->refusal(session().frame.map.format);
+    if (!reason.empty())
+      reasons.insert(style::text(technique->info().id), QString::fromStdString(reason));
+  }
+  return reasons;
+}
+
 bool SessionController::loading() const {
   return loader_->busy();
 }
@@ -67,7 +78,12 @@ bool SessionController::loading() const {
 void SessionController::edit(const QString& text, const std::function<void(Session&)>& change,
                              const QString& mergeKey) {
   Document after = document_;
-  change(after.session);
+  try {
+    change(after.session);
+  } catch (const std::exception& problem) {
+    emit failed(QString::fromUtf8(problem.what()));
+    return;
+  }
   if (after.session == document_.session) return;
   push(text, std::move(after), mergeKey);
 }

@@ -1,6 +1,7 @@
 // The one session of the window and every change to it.
 #pragma once
 
+#include <QMap>
 #include <QObject>
 #include <QUndoStack>
 #include <filesystem>
@@ -29,6 +30,8 @@ class SessionController : public QObject {
   const Technique& technique() const;  // the session's
   // A sentence for each parameter of the session's technique that its format limits.
   const QStringList& notices() const { return notices_; }
+  // Of the techniques that the session's storage format cannot hold: why, by id.
+  QMap<QString, QString> refusals() const;
   QUndoStack& undoStack() { return undo_; }
   bool loading() const;
 

@@ -83,8 +83,11 @@ void CompareCommand::compareMap(Session session) const {
   const auto metrics =
       compareOnMap(map, adapted, kernel, format, *session.receiver, throwIfCancelled);
   std::vector<MetricsRow> rows;
-  for (std::size_t i = 0; i < adapted.size(); ++i)
-    rows.push_back({std::string(adapted[i]->info().id), metrics[i]});
+  for (std::size_t i = 0; i < adapted.size(); ++i) {
+    throwIfCancelled();
+    rows.push_back({std::string(adapted[i]->info().id), metrics[i],
+                    bleedReductionOnMap(map, *adapted[i], kernel, format, *session.receiver)});
+  }
   throwIfCancelled();
   if (json) return printJson(compareToJson(rows));
   if (!folder) return print(compareText(rows));
@@ -107,8 +110,8 @@ void CompareCommand::compareScene(const Session& session) const {
     throwIfCancelled();
     const std::string id(technique->info().id);
     frame->render(*technique, ViewMode::Error);
-    rows.push_back({id, metricsOf(*frame)});
     if (files) display->writePictures({{id, frame->colour()}}, files->file("error-" + id + ".png"));
+    rows.push_back(compareFrame(*frame, *technique));
   }
   throwIfCancelled();
   if (json) return printJson(compareToJson(rows));

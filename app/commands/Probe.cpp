@@ -40,7 +40,7 @@ ProbeCommand::ProbeCommand(CLI::App& command) {
   add("--texel", texel, "X,Y", "Of a depth map: the region's centre, y down, from 0");
   add("--receiver", receiver, "Z", "Receiver's depth, 0 to 1; needed with --depth");
   add("--pixel", pixel, "X,Y|worst",
-      "Of a scene: y down, from 0, or where the technique bleeds most");
+      "Of a scene: y down, from 0, or where vsm, or else the first bound, bleeds most");
   add("--bins", bins, "N", "Bins of the histogram (default 60)");
   add("--samples", samples, "N", "Also every technique's curve at N depths from 0 to 1");
   add("-o,--output", folder, "DIR", "Write probe.json and the plots as PNG, SVG, PDF and CSV");
@@ -123,7 +123,7 @@ void ProbeCommand::probePixel(const Session& session) const {
   const auto scene = std::make_shared<const Scene>(loadScene(session.source));
   const std::unique_ptr<Display> display = loadDisplay();
   const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
-  if (!place) place = worstBleeding(*frame, *techniqueOf(session, catalogue, session.technique));
+  if (!place) place = worstBleeding(*frame, *suspectOf(chosen));
   const SceneProbe probe = probeScene(*frame, session, chosen, *place);
   const Json object =
       sceneProbeToJson(probe, frame->depthMap(), name, binsOf(bins), samplesOf(samples));

@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -84,29 +82,6 @@ DepthMap SplitsCommand::depthMap(const Session& session) const {
   return frame->depthMap();
 }
 
-// Weights sum to 1; equal widths over the values that have weight, the last bin closed.
-Histogram histogramOf(const std::vector<WeightedSample>& samples, int bins) {
-  double low = 0.0, high = 0.0, sum = 0.0;
-  for (const WeightedSample& sample : samples) {
-    if (sample.weight <= 0.0) continue;
-    low = sum > 0.0 ? std::min(low, sample.value) : sample.value;
-    high = sum > 0.0 ? std::max(high, sample.value) : sample.value;
-    sum += sample.weight;
-  }
-  if (sum <= 0.0) return {};
-  if (low == high) return {{low, high}, {1.0}};
-  Histogram histogram;
-  for (int i = 0; i <= bins; ++i) histogram.edges.push_back(std::lerp(low, high, double(i) / bins));
-  histogram.weights.assign(bins, 0.0);
-  for (const WeightedSample& sample : samples) {
-    if (sample.weight <= 0.0) continue;
-    const auto inner =
-        std::upper_bound(histogram.edges.begin() + 1, histogram.edges.end() - 1, sample.value);
-    histogram.weights[inner - histogram.edges.begin() - 1] += sample.weight / sum;
-  }
-  return histogram;
-}
-
 Splits SplitsCommand::place(const DepthMap& map, int count) const {
   Splits splits{.layers = count};
   const std::vector<WeightedSample> samples = secondOccluderSamples(map);
@@ -119,7 +94,13 @@ Splits SplitsCommand::place(const DepthMap& map, int count) const {
     splits.result.iterations = splits.result.teleports = 0;
     for (int k = 1; k < count; ++k) splits.result.splits[k - 1] = double(k) / count;
   }
-  splits.histogram = histogramOf(samples, bins ? integerFrom(*bins, "--bins", 1, 100000) : 60);
+  std::vector<double> values, weights;
+  for (const WeightedSample& sample : samples) {
+    values.push_back(sample.value);
+    weights.push_back(sample.weight);
+  }
+  splits.histogram =
+      histogramOf(values, weights, bins ? integerFrom(*bins, "--bins", 1, 100000) : 60);
   return splits;
 }
 

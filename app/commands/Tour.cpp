@@ -34,16 +34,9 @@ TourCommand::TourCommand(CLI::App& command) {
       ->group("Tour");
   command.footer(
       "Draws the techniques side by side (hard, pcf, vsm and power-cdf where none are\n"
-      "named), probes the pixel where vsm, or else the first, bleeds most light, and\n"
+      "named), probes the pixel where vsm, or else the first bound, bleeds most light, and\n"
       "writes picture, plots and figures.");
   options.addTo(command);
-}
-
-// VSM is the technique that bleeds; where it is not asked for, the first that is.
-std::shared_ptr<Technique> suspectOf(const std::vector<std::shared_ptr<Technique>>& chosen) {
-  for (const auto& technique : chosen)
-    if (technique->info().id == "vsm") return technique;
-  return chosen.front();
 }
 
 void TourCommand::run() const {

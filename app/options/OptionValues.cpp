@@ -52,6 +52,16 @@ std::optional<Eigen::Vector3d> point(std::string_view text) {
   return Eigen::Vector3d(values[0], values[1], values[2]);
 }
 
+// The check that session files undergo as well; here it is an option that is wrong.
+template <class T>
+void validated(const T& value, std::string_view option) {
+  try {
+    validate(value, option);
+  } catch (const Error& error) {
+    throw Error(ErrorKind::BadCommandLine, error.what());
+  }
+}
+
 }  // namespace
 
 double numberFrom(std::string_view text, std::string_view option, NumberRange range) {
@@ -71,6 +81,21 @@ int integerFrom(std::string_view text, std::string_view option, int low, int hig
     refuse(option, text,
            "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
   return *value;
+}
+
+double sigmaFrom(std::string_view text, std::string_view option) {
+  const std::optional<double> value = finiteNumber(text);
+  const bool fits = value && (*value == 0.0 ||
+                              (*value >= Kernel::smallestSigma && *value <= Kernel::largestSigma));
+  if (!fits)
+    refuse(option, text,
+           "0 for the default, or a number from " + shortNumber(Kernel::smallestSigma) + " to " +
+               shortNumber(Kernel::largestSigma));
+  return *value;
+}
+
+void refuseEmpty(std::string_view text, std::string_view option, const std::string& right) {
+  if (text.empty()) refuse(option, text, right);
 }
 
 bool switchFrom(std::string_view text, std::string_view option) {
@@ -97,16 +122,20 @@ std::pair<int, int> sizeFrom(std::string_view text, std::string_view option) {
   const std::vector<std::string> parts = split(text, 'x');
   if (parts.size() == 2 && text.back() != 'x') {
     const std::optional<int> width = wholeNumber(parts[0]), height = wholeNumber(parts[1]);
-    const auto fits = [](const std::optional<int>& n) { return n && *n >= 16 && *n <= 16384; };
+    const auto fits = [](const std::optional<int>& n) {
+      return n && *n >= Session::smallestSide && *n <= Session::largestSide;
+    };
     if (fits(width) && fits(height)) return {*width, *height};
   }
-  refuse(option, text, "WIDTHxHEIGHT in pixels, each from 16 to 16384");
+  refuse(option, text,
+         "WIDTHxHEIGHT in pixels, each from " + std::to_string(Session::smallestSide) + " to " +
+             std::to_string(Session::largestSide));
 }
 
 std::pair<double, double> depthRangeFrom(std::string_view text, std::string_view option) {
   const std::vector<double> values = numbers(text, 2);
-  if (values.empty() || !(values[0] < values[1]))
-    refuse(option, text, "NEAR,FAR: two numbers, the first smaller");
+  if (values.empty() || !(values[0] < values[1]) || !std::isfinite(values[1] - values[0]))
+    refuse(option, text, "NEAR,FAR: two numbers, the first smaller, whose difference is finite");
   return {values[0], values[1]};
 }
 
@@ -126,9 +155,10 @@ Light lightFrom(std::string_view text, std::string_view option, const Light& bas
   light.kind = spot ? LightKind::Spot : LightKind::Directional;
   light.position = pointFrom(parts[1], option);
   if (parts.size() > 2) light.target = pointFrom(parts[2], option);
-  if (parts.size() > 3) light.halfAngle = numberFrom(parts[3], option, {1.0, 60.0});
-  if ((light.position - light.target).norm() == 0.0)
-    refuse(option, text, "a position that differs from the point it shines at");
+  if (parts.size() > 3)
+    light.halfAngle =
+        numberFrom(parts[3], option, {Light::smallestHalfAngle, Light::largestHalfAngle});
+  validated(light, option);
   return light;
 }
 
@@ -138,14 +168,15 @@ Camera cameraFrom(std::string_view text, std::string_view option, const Camera& 
   Camera camera = base;
   camera.position = pointFrom(parts[0], option);
   camera.target = pointFrom(parts[1], option);
-  if (parts.size() > 2) camera.viewAngle = numberFrom(parts[2], option, {1.0, 120.0});
-  const Eigen::Vector3d direction = camera.target - camera.position;
-  if (direction.norm() == 0.0)
-    refuse(option, text, "a position that differs from the point it looks at");
+  if (parts.size() > 2)
+    camera.viewAngle =
+        numberFrom(parts[2], option, {Camera::smallestViewAngle, Camera::largestViewAngle});
   // A camera that looks along its own up vector has no picture; any other up will do.
-  if (direction.normalized().cross(camera.up.normalized()).norm() < 1e-6)
-    camera.up = std::abs(direction.normalized().y()) > 0.5 ? Eigen::Vector3d(0.0, 0.0, -1.0)
-                                                           : Eigen::Vector3d(0.0, 1.0, 0.0);
+  const Eigen::Vector3d direction = (camera.target - camera.position).normalized();
+  if (looksAlongUp(camera))
+    camera.up = std::abs(direction.y()) > 0.5 ? Eigen::Vector3d(0.0, 0.0, -1.0)
+                                              : Eigen::Vector3d(0.0, 1.0, 0.0);
+  validated(camera, option);
   return camera;
 }
 

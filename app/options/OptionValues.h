@@ -20,6 +20,10 @@ struct NumberRange {
 // Finite and within the range.
 double numberFrom(std::string_view text, std::string_view option, NumberRange range);
 int integerFrom(std::string_view text, std::string_view option, int low, int high);
+// Of a Gaussian: 0 for the default, or within Kernel's range.
+double sigmaFrom(std::string_view text, std::string_view option);
+// Throws where the text is empty; `right` is what the option takes.
+void refuseEmpty(std::string_view text, std::string_view option, const std::string& right);
 // "on" or "off".
 bool switchFrom(std::string_view text, std::string_view option);
 
@@ -27,9 +31,9 @@ bool switchFrom(std::string_view text, std::string_view option);
 Eigen::Vector3d pointFrom(std::string_view text, std::string_view option);
 // "X,Y", from 0.
 Pixel pixelFrom(std::string_view text, std::string_view option);
-// "WxH", 16 … 16384 pixels each.
+// "WxH", Session::smallestSide … largestSide pixels each.
 std::pair<int, int> sizeFrom(std::string_view text, std::string_view option);
-// "NEAR,FAR", NEAR < FAR.
+// "NEAR,FAR", NEAR < FAR, and a finite distance apart.
 std::pair<double, double> depthRangeFrom(std::string_view text, std::string_view option);
 // "NAME=VALUE".
 std::pair<std::string, std::string> assignmentFrom(std::string_view text, std::string_view option);

@@ -117,6 +117,7 @@ bool SessionOptions::given(const CLI::App& command) const {
 
 Session SessionOptions::session(const TechniqueCatalogue& catalogue) const {
   Session start;
+  if (session_) refuseEmpty(*session_, "--session", "FILE.json");
   if (session_) start = readSession(*session_);
   return over(std::move(start), catalogue);
 }
@@ -146,6 +147,8 @@ void SessionOptions::refuseWhatIsNotThere() const {
 void SessionOptions::editSource(Session& session) const {
   if (scene_ && depth_)
     throw Error(ErrorKind::BadCommandLine, "--depth: excludes --scene, give one of them");
+  if (scene_) refuseEmpty(*scene_, "--scene", "NAME or FILE");
+  if (depth_) refuseEmpty(*depth_, "--depth", "FILE.exr[:CHANNEL]");
   if (scene_) session.source = sceneSourceFrom(*scene_, "--scene");
   if (depth_) {
     session.source = {};
@@ -174,26 +177,29 @@ TechniqueChoice everyTechnique(const TechniqueCatalogue& catalogue) {
 TechniqueChoice SessionOptions::techniques(const TechniqueCatalogue& catalogue,
                                            const TechniqueChoice& fallback) const {
   if (!techniques_) return fallback;
-  if (*techniques_ == "all") return everyTechnique(catalogue);
+  const std::vector<std::string> named = split(*techniques_, ',');
+  const bool all = std::find(named.begin(), named.end(), "all") != named.end();
   std::vector<std::string> ids;
-  for (const std::string& id : split(*techniques_, ',')) {
-    if (!catalogue.has(id)) {
-      const std::vector<std::string> all = idsOf(catalogue);
-      const std::string nearest = nearestWord(id, all);
+  for (const std::string& id : named) {
+    if (id != "all" && !catalogue.has(id)) {
+      const std::vector<std::string> known = idsOf(catalogue);
+      const std::string nearest = nearestWord(id, known);
       throw Error(ErrorKind::BadCommandLine,
                   "--technique: there is no '" + id + "'; " +
-                      (nearest.empty() ? "there are " + joined(all) + " and all"
+                      (nearest.empty() ? "there are " + joined(known) + " and all"
                                        : "did you mean '" + nearest + "'?"));
     }
     if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
   }
   if (ids.empty())
     throw Error(ErrorKind::BadCommandLine, "--technique: is empty, it takes A[,B...] or all");
-  return {ids, false};
+  return all ? everyTechnique(catalogue) : TechniqueChoice{ids, false};
 }
 
 void SessionOptions::editTechniques(Session& session, const TechniqueCatalogue& catalogue) const {
-  session.technique = techniques(catalogue, {{session.technique}}).ids.front();
+  // One of all is no choice: the session's own stays the one to look at.
+  const TechniqueChoice choice = techniques(catalogue, {{session.technique}});
+  if (!choice.all) session.technique = choice.ids.front();
   for (const std::string& setting : settings_) {
     const auto [name, text] = assignmentFrom(setting, "--set");
     const std::size_t dot = name.find('.');
@@ -202,11 +208,10 @@ void SessionOptions::editTechniques(Session& session, const TechniqueCatalogue& 
                   "--set: '" + setting + "' is not right, it takes TECHNIQUE.PARAMETER=VALUE");
     const std::string id = name.substr(0, dot), parameter = name.substr(dot + 1);
     try {
-      const std::unique_ptr<Technique> technique = catalogue.make(id);
-      const std::vector<Parameter> parameters = technique->parameters();
-      const Parameter& row = parameterNamed(parameters, parameter, "--set " + name);
-      row.setFromText(text, "--set " + name);
-      session.parameters[id][parameter] = row.get();
+      catalogue.make(id, "--set " + name);
+      editParameters(session, catalogue, id, [&](std::span<const Parameter> parameters) {
+        parameterNamed(parameters, parameter, "--set " + name).setFromText(text, "--set " + name);
+      });
     } catch (const Error& error) {
       // The value came from the command line, whatever reads values from files calls it.
       const bool prefixed = std::string_view(error.what()).starts_with("--set");
@@ -218,19 +223,20 @@ void SessionOptions::editTechniques(Session& session, const TechniqueCatalogue& 
 
 void SessionOptions::editMap(Session& session) const {
   FrameSettings& frame = session.frame;
-  if (kernel_) frame.kernel.shape = kernelShapeFrom(*kernel_);
+  if (kernel_) frame.kernel.shape = kernelShapeFrom(*kernel_, "--kernel");
   if (radius_) frame.kernel.radius = integerFrom(*radius_, "--radius", 0, Kernel::largestRadius);
-  if (sigma_) frame.kernel.sigma = numberFrom(*sigma_, "--sigma", {0.01, 1000.0});
+  if (sigma_) frame.kernel.sigma = sigmaFrom(*sigma_, "--sigma");
   if (mapSize_)
     frame.map.size =
         integerFrom(*mapSize_, "--map-size", MapSettings::smallest, MapSettings::largest);
-  if (filter_) frame.read = readFilterFrom(*filter_);
-  if (format_) frame.map.format = storageFormatFrom(*format_);
+  if (filter_) frame.read = readFilterFrom(*filter_, "--filter");
+  if (format_) frame.map.format = storageFormatFrom(*format_, "--format");
 }
 
 void SessionOptions::editBias(Bias& bias) const {
-  if (biasConstant_) bias.constant = numberFrom(*biasConstant_, "--bias-constant", {0.0, 1.0});
-  if (biasSlope_) bias.slope = numberFrom(*biasSlope_, "--bias-slope", {0.0, 100.0});
+  if (biasConstant_)
+    bias.constant = numberFrom(*biasConstant_, "--bias-constant", {0.0, Bias::largestConstant});
+  if (biasSlope_) bias.slope = numberFrom(*biasSlope_, "--bias-slope", {0.0, Bias::largestSlope});
   if (biasReceiverPlane_)
     bias.receiverPlane = switchFrom(*biasReceiverPlane_, "--bias-receiver-plane");
   if (cullFrontFaces_) bias.cullFrontFaces = switchFrom(*cullFrontFaces_, "--cull-front-faces");
@@ -238,7 +244,7 @@ void SessionOptions::editBias(Bias& bias) const {
 
 void SessionOptions::editView(Session& session) const {
   if (size_) std::tie(session.width, session.height) = sizeFrom(*size_, "--size");
-  if (view_) session.frame.view = viewModeFrom(*view_);
+  if (view_) session.frame.view = viewModeFrom(*view_, "--view");
   if (!light_ && !camera_) return;
   if (session.source.kind == SourceKind::DepthFile)
     throw Error(ErrorKind::BadCommandLine,

@@ -27,14 +27,14 @@ std::string_view nameIn(std::span<const std::pair<E, std::string_view>> table, E
 
 template <class E>
 E valueIn(std::span<const std::pair<E, std::string_view>> table, std::string_view name,
-          const std::string& what) {
+          std::string_view where) {
   std::vector<std::string> names;
   for (const auto& [value, candidate] : table) {
     if (candidate == name) return value;
     names.emplace_back(candidate);
   }
   throw Error(ErrorKind::BadCommandLine,
-              what + ": '" + std::string(name) + "' is none of " + joined(names));
+              std::string(where) + ": '" + std::string(name) + "' is none of " + joined(names));
 }
 
 }  // namespace
@@ -42,10 +42,12 @@ E valueIn(std::span<const std::pair<E, std::string_view>> table, std::string_vie
 std::string_view nameOf(ReadFilter read) { return nameIn<ReadFilter>(readFilters, read); }
 std::string_view nameOf(ViewMode view) { return nameIn<ViewMode>(viewModes, view); }
 
-ReadFilter readFilterFrom(std::string_view name) {
-  return valueIn<ReadFilter>(readFilters, name, "filter");
+ReadFilter readFilterFrom(std::string_view name, std::string_view where) {
+  return valueIn<ReadFilter>(readFilters, name, where);
 }
 
-ViewMode viewModeFrom(std::string_view name) { return valueIn<ViewMode>(viewModes, name, "view"); }
+ViewMode viewModeFrom(std::string_view name, std::string_view where) {
+  return valueIn<ViewMode>(viewModes, name, where);
+}
 
 }  // namespace umbra

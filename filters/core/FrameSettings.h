@@ -23,6 +23,8 @@ enum class ReadFilter { Point, Bilinear };
 // Lowers the receiver's depth before any technique sees it, so that a surface does not shadow
 // itself. All terms add up; the sum is subtracted from z and the result clamped to [0,1].
 struct Bias {
+  static constexpr double largestConstant = 1.0, largestSlope = 100.0;
+
   double constant = 5e-4;  // normalised depth
   // Depth that the receiver's plane gains over this many texels of the map.
   double slope = 1.0;
@@ -48,8 +50,9 @@ struct FrameSettings {
 
 std::string_view nameOf(ReadFilter read);
 std::string_view nameOf(ViewMode view);
-// Both throw BadCommandLine for an unknown name and list the right ones.
-ReadFilter readFilterFrom(std::string_view name);
-ViewMode viewModeFrom(std::string_view name);
+// Both throw BadCommandLine for an unknown name and list the right ones. `where` is what the
+// message begins with: an option, or a file and key.
+ReadFilter readFilterFrom(std::string_view name, std::string_view where);
+ViewMode viewModeFrom(std::string_view name, std::string_view where);
 
 }  // namespace umbra

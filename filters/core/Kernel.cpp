@@ -29,11 +29,11 @@ std::string_view nameOf(KernelShape shape) {
   return "";
 }
 
-KernelShape kernelShapeFrom(std::string_view name) {
+KernelShape kernelShapeFrom(std::string_view name, std::string_view where) {
   for (auto shape : {KernelShape::None, KernelShape::Box, KernelShape::Gaussian})
     if (name == nameOf(shape)) return shape;
   throw Error(ErrorKind::BadCommandLine,
-              "kernel: '" + std::string(name) + "' is none of none, box, gaussian");
+              std::string(where) + ": '" + std::string(name) + "' is none of none, box, gaussian");
 }
 
 std::string describe(const Kernel& kernel) {

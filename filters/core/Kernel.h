@@ -11,10 +11,12 @@ enum class KernelShape { None, Box, Gaussian };
 
 struct Kernel {
   static constexpr int largestRadius = 64;
+  // Of a sigma that is set. Far below, the weights beside the centre are not even subnormal.
+  static constexpr double smallestSigma = 0.01, largestSigma = 1000.0;
 
   KernelShape shape = KernelShape::Box;
   int radius = 3;      // texels, 0 … largestRadius; None counts as 0
-  double sigma = 0.0;  // texels; 0 means radius / 2, the default
+  double sigma = 0.0;  // texels, smallestSigma … largestSigma; 0 means radius / 2, the default
 
   int effectiveRadius() const { return shape == KernelShape::None ? 0 : radius; }
   double effectiveSigma() const { return sigma > 0.0 ? sigma : radius / 2.0; }
@@ -27,8 +29,9 @@ struct Kernel {
 };
 
 std::string_view nameOf(KernelShape shape);
-// Throws BadCommandLine for a name that is not "none", "box" or "gaussian".
-KernelShape kernelShapeFrom(std::string_view name);
+// Throws BadCommandLine for a name that is not "none", "box" or "gaussian". `where` is what the
+// message begins with: an option, or a file and key.
+KernelShape kernelShapeFrom(std::string_view name, std::string_view where);
 // For labels: "box 7×7", "Gaussian 7×7, σ 1.5", "no prefilter".
 std::string describe(const Kernel& kernel);
 

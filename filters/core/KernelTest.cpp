@@ -43,15 +43,27 @@ TEST(Kernel, GaussianFallsAsItsSigmaSays) {
   }
 }
 
+TEST(Kernel, GaussianIsSoundAtEitherEndOfItsSigmas) {
+  for (double sigma : {Kernel::smallestSigma, Kernel::largestSigma}) {
+    const Kernel kernel{KernelShape::Gaussian, Kernel::largestRadius, sigma};
+    double sum = 0.0;
+    for (double weight : kernel.weights()) {
+      EXPECT_TRUE(weight >= 0.0 && weight <= 1.0) << sigma;
+      sum += weight;
+    }
+    EXPECT_NEAR(sum, 1.0, 129 * 0x1p-53);  // rounding of 129 weights
+  }
+}
+
 TEST(Kernel, ReadsItsNamesBack) {
   for (KernelShape shape : {KernelShape::None, KernelShape::Box, KernelShape::Gaussian})
-    EXPECT_EQ(kernelShapeFrom(nameOf(shape)), shape);
+    EXPECT_EQ(kernelShapeFrom(nameOf(shape), "--kernel"), shape);
   try {
-    kernelShapeFrom("tent");
+    kernelShapeFrom("tent", "--kernel");
     ADD_FAILURE() << "was accepted";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::BadCommandLine);
-    EXPECT_EQ(std::string(error.what()), "kernel: 'tent' is none of none, box, gaussian");
+    EXPECT_EQ(std::string(error.what()), "--kernel: 'tent' is none of none, box, gaussian");
   }
 }
 

@@ -6,6 +6,8 @@
 #include <string>
 
 #include "filters/core/Error.h"
+#include "filters/core/Parameters.h"
+#include "filters/core/Text.h"
 
 namespace umbra {
 namespace {
@@ -112,7 +114,9 @@ LightFrame fitLightFrame(const Light& light, const Eigen::AlignedBox3d& bounds) 
     // Inside the scene's box nothing bounds the nearest occluder; a thousandth of the reach does.
     frame.farDistance = farthest * 1.02;
     frame.nearDistance = std::max(nearest * 0.98, frame.farDistance * 1e-3);
-    const double halfAngle = std::clamp(light.halfAngle, 1.0, 60.0) * std::numbers::pi / 180.0;
+    const double halfAngle =
+        std::clamp(light.halfAngle, Light::smallestHalfAngle, Light::largestHalfAngle) *
+        std::numbers::pi / 180.0;
     // The clip planes are planes and the depth is a distance along the ray: towards the map's
     // corners a point at the near distance lies nearer to the light's plane.
     const double corner = 1.0 / std::sqrt(1.0 + 2.0 * std::pow(std::tan(halfAngle), 2));
@@ -121,15 +125,43 @@ LightFrame fitLightFrame(const Light& light, const Eigen::AlignedBox3d& bounds) 
   return frame;
 }
 
+void detail::validateNumber(double value, double low, double high, std::string_view where,
+                            std::string_view name) {
+  if (value >= low && value <= high) return;
+  throw Error(ErrorKind::BadInput, std::string(where) + ": " + std::string(name) + " is " +
+                                       toText(value) + ", it should be from " + shortNumber(low) +
+                                       " to " + shortNumber(high));
+}
+
+void detail::validateLine(const Vector3d& position, const Vector3d& target,
+                          std::string_view where) {
+  for (int i = 0; i < 3; ++i) {
+    validateNumber(position[i], -largestCoordinate, largestCoordinate, where, "the position");
+    validateNumber(target[i], -largestCoordinate, largestCoordinate, where, "the target");
+  }
+  if (!((target - position).norm() > 0.0))
+    throw Error(ErrorKind::BadInput, std::string(where) +
+                                         ": position and target are the same point, they should "
+                                         "differ");
+}
+
+void validate(const Light& light, std::string_view where) {
+  detail::validateLine(light.position, light.target, where);
+  detail::validateNumber(light.halfAngle, Light::smallestHalfAngle, Light::largestHalfAngle, where,
+                         "the half angle");
+  for (double part : light.colour) detail::validateNumber(part, 0.0, 1.0, where, "the colour");
+  detail::validateNumber(light.intensity, 0.0, Light::largestIntensity, where, "the intensity");
+}
+
 std::string_view nameOf(LightKind kind) {
   return kind == LightKind::Directional ? "directional" : "spot";
 }
 
-LightKind lightKindFrom(std::string_view name) {
+LightKind lightKindFrom(std::string_view name, std::string_view where) {
   if (name == "directional") return LightKind::Directional;
   if (name == "spot") return LightKind::Spot;
   throw Error(ErrorKind::BadCommandLine,
-              "light: '" + std::string(name) + "' is neither directional nor spot");
+              std::string(where) + ": '" + std::string(name) + "' is neither directional nor spot");
 }
 
 }  // namespace umbra

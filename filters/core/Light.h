@@ -9,12 +9,19 @@ namespace umbra {
 
 enum class LightKind { Directional, Spot };
 
+// Of positions and targets, either sign: beyond it single precision, in which the GPU works, is
+// of no use for any scene.
+inline constexpr double largestCoordinate = 1e9;
+
 struct Light {
+  static constexpr double smallestHalfAngle = 1.0, largestHalfAngle = 60.0;
+  static constexpr double largestIntensity = 1000.0;
+
   LightKind kind = LightKind::Directional;
   Eigen::Vector3d position{0.0, 10.0, 0.0};  // world; a directional light shines from it to `target`
   Eigen::Vector3d target{0.0, 0.0, 0.0};     // world
-  double halfAngle = 30.0;                   // degrees from the axis to the cone's edge, up to 60
-  Eigen::Vector3d colour{1.0, 1.0, 1.0};     // linear RGB
+  double halfAngle = 30.0;  // degrees from the axis to the cone's edge, within the range above
+  Eigen::Vector3d colour{1.0, 1.0, 1.0};  // linear RGB, each 0 … 1
   double intensity = 1.0;
 
   bool operator==(const Light&) const = default;
@@ -52,8 +59,24 @@ struct LightFrame {
 // margin of 2 % of its depth. Throws BadInput when the light has no direction or an empty box.
 LightFrame fitLightFrame(const Light& light, const Eigen::AlignedBox3d& bounds);
 
+// Throws BadInput for a light that cannot shine: a position equal to the target, an angle, colour
+// or intensity out of range, a coordinate that is not finite or out of reach. `where` is what the
+// message begins with: an option, or a file and key.
+void validate(const Light& light, std::string_view where);
+
 std::string_view nameOf(LightKind kind);
 // Throws BadCommandLine for a name that is neither "directional" nor "spot".
-LightKind lightKindFrom(std::string_view name);
+LightKind lightKindFrom(std::string_view name, std::string_view where);
+
+namespace detail {
+
+// Throws BadInput unless low ≤ value ≤ high; "WHERE: NAME is VALUE, it should be …".
+void validateNumber(double value, double low, double high, std::string_view where,
+                    std::string_view name);
+// The same of position and target: in reach, and apart.
+void validateLine(const Eigen::Vector3d& position, const Eigen::Vector3d& target,
+                  std::string_view where);
+
+}  // namespace detail
 
 }  // namespace umbra

@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
+#include <string>
 
 #include "filters/core/Error.h"
+#include "filters/core/Scene.h"
 
 namespace umbra {
 namespace {
@@ -177,10 +180,51 @@ TEST(Light, RefusesNoDirectionAndNoScene) {
   EXPECT_THROW(fitLightFrame(Light{}, AlignedBox3d()), Error);
 }
 
+// The message of the error that validating ends in, "" where there is none.
+template <class T>
+std::string faultOf(const T& value) {
+  try {
+    validate(value, "s.json: x");
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::BadInput);
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Light, IsValidatedWhole) {
+  EXPECT_EQ(faultOf(Light{}), "");
+  const double infinite = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(faultOf(Light{.position = {1, 2, 3}, .target = {1, 2, 3}}),
+            "s.json: x: position and target are the same point, they should differ");
+  EXPECT_EQ(faultOf(Light{.position = {0, infinite, 0}}),
+            "s.json: x: the position is inf, it should be from -1e+09 to 1e+09");
+  EXPECT_EQ(faultOf(Light{.halfAngle = 60.1}),
+            "s.json: x: the half angle is 60.1, it should be from 1 to 60");
+  EXPECT_EQ(faultOf(Light{.colour = {1, -0.5, 1}}),
+            "s.json: x: the colour is -0.5, it should be from 0 to 1");
+  EXPECT_EQ(faultOf(Light{.intensity = -1}),
+            "s.json: x: the intensity is -1, it should be from 0 to 1000");
+  EXPECT_NE(faultOf(Light{.intensity = std::nan("")}), "");
+}
+
+TEST(Camera, IsValidatedWhole) {
+  EXPECT_EQ(faultOf(Camera{}), "");
+  EXPECT_EQ(faultOf(Camera{.position = {1, 2, 3}, .target = {1, 2, 3}}),
+            "s.json: x: position and target are the same point, they should differ");
+  EXPECT_EQ(faultOf(Camera{.up = {0, 0, 0}}),
+            "s.json: x: the up vector has no length, it should point up");
+  EXPECT_EQ(faultOf(Camera{.position = {0, 5, 0}, .up = {0, -2, 0}}),
+            "s.json: x: the up vector lies along the view, it should point to its side");
+  EXPECT_EQ(faultOf(Camera{.viewAngle = 170}),
+            "s.json: x: the view angle is 170, it should be from 1 to 120");
+  EXPECT_NE(faultOf(Camera{.up = {0, std::nan(""), 0}}), "");
+}
+
 TEST(Light, HasNamesThatReadBack) {
   for (LightKind kind : {LightKind::Directional, LightKind::Spot})
-    EXPECT_EQ(lightKindFrom(nameOf(kind)), kind);
-  EXPECT_THROW(lightKindFrom("sun"), Error);
+    EXPECT_EQ(lightKindFrom(nameOf(kind), "--light"), kind);
+  EXPECT_THROW(lightKindFrom("sun", "--light"), Error);
 }
 
 }  // namespace

@@ -82,10 +82,10 @@ std::string_view nameOf(StorageFormat format) {
   return "";
 }
 
-StorageFormat storageFormatFrom(std::string_view name) {
+StorageFormat storageFormatFrom(std::string_view name, std::string_view where) {
   for (StorageFormat format : allFormats)
     if (name == nameOf(format)) return format;
-  throw Error(ErrorKind::BadCommandLine, "format: '" + std::string(name) +
+  throw Error(ErrorKind::BadCommandLine, std::string(where) + ": '" + std::string(name) +
                                              "' is none of unorm8, unorm16, half, float, double");
 }
 

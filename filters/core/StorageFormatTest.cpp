@@ -83,12 +83,14 @@ TEST(StorageFormat, FloatIsTheMachines) {
 }
 
 TEST(StorageFormat, ReadsItsNamesBack) {
-  for (StorageFormat format : every) EXPECT_EQ(storageFormatFrom(nameOf(format)), format);
+  for (StorageFormat format : every)
+    EXPECT_EQ(storageFormatFrom(nameOf(format), "--format"), format);
   try {
-    storageFormatFrom("fp16");
+    storageFormatFrom("fp16", "--format");
     ADD_FAILURE() << "was accepted";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::BadCommandLine);
+    EXPECT_TRUE(std::string(error.what()).starts_with("--format: 'fp16'")) << error.what();
     EXPECT_NE(std::string(error.what()).find("half"), std::string::npos) << "says what is right";
   }
 }

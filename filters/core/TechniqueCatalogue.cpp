@@ -27,7 +27,8 @@ bool TechniqueCatalogue::has(std::string_view id) const {
                      [&](const auto& technique) { return technique->info().id == id; });
 }
 
-std::unique_ptr<Technique> TechniqueCatalogue::make(std::string_view id) const {
+std::unique_ptr<Technique> TechniqueCatalogue::make(std::string_view id,
+                                                    std::string_view where) const {
   std::vector<std::string> ids;
   for (const auto& technique : techniques_) {
     if (technique->info().id == id) return technique->clone();
@@ -35,7 +36,7 @@ std::unique_ptr<Technique> TechniqueCatalogue::make(std::string_view id) const {
   }
   const std::string nearest = nearestWord(id, ids);
   throw Error(ErrorKind::BadCommandLine,
-              "technique: there is no '" + std::string(id) + "'; " +
+              std::string(where) + ": there is no '" + std::string(id) + "'; " +
                   (nearest.empty() ? "there are " + joined(ids)
                                    : "did you mean '" + nearest + "'?"));
 }

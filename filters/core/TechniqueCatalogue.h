@@ -16,8 +16,9 @@ class TechniqueCatalogue {
   // In teaching order.
   std::vector<const Technique*> all() const;
   bool has(std::string_view id) const;
-  // A copy with default parameters. Throws BadCommandLine with the nearest id as a suggestion.
-  std::unique_ptr<Technique> make(std::string_view id) const;
+  // A copy with default parameters. Throws BadCommandLine with the nearest id as a suggestion;
+  // `where` is what the message begins with: an option, or a file and key.
+  std::unique_ptr<Technique> make(std::string_view id, std::string_view where = "technique") const;
 
  private:
   std::vector<std::unique_ptr<Technique>> techniques_;

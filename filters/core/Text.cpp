@@ -54,6 +54,11 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 
 std::string nearestWord(std::string_view word, std::span<const std::string> candidates) {
   std::string nearest;
+  if (word.size() >= 3)
+    for (const std::string& candidate : candidates)
+      if (candidate.starts_with(word) && (nearest.empty() || candidate.size() < nearest.size()))
+        nearest = candidate;
+  if (!nearest.empty()) return nearest;
   std::size_t best = std::max<std::size_t>(2, word.size() / 3) + 1;
   for (const std::string& candidate : candidates) {
     const std::size_t distance = editDistance(word, candidate);

@@ -17,7 +17,8 @@ std::string joined(std::span<const std::string> parts, std::string_view separato
 // "a:b:c" split at `separator`; an empty text gives no parts.
 std::vector<std::string> split(std::string_view text, char separator);
 
-// The candidate nearest to a mistyped `word`, or "" when none is near.
+// The candidate nearest to a mistyped `word`, or "" when none is near. A word of three characters
+// or more that a candidate begins with was broken off: then the shortest such candidate.
 std::string nearestWord(std::string_view word, std::span<const std::string> candidates);
 
 }  // namespace umbra

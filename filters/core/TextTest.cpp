@@ -38,6 +38,8 @@ TEST(NearestWord, FindsWhatWasMeant) {
   EXPECT_EQ(nearestWord("powercdf", names), "power-cdf");
   EXPECT_EQ(nearestWord("evsm4", names), "evsm4");
   EXPECT_EQ(nearestWord("something", names), "");
+  EXPECT_EQ(nearestWord("layered", names), "layered-power-cdf");
+  EXPECT_EQ(nearestWord("--dep", Parts{"--help", "--depth-range", "--depth"}), "--depth");
   EXPECT_EQ(nearestWord("vsm", Parts{}), "");
 }
 

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <limits>
 
@@ -48,7 +49,9 @@ TEST_F(Errors, WordsThatAreNoCommandOrOption) {
   expectError(2, "is no command, scene or file", {"reproduce", "-o", folder.file("out")});
   expectError(2, "is no command, scene or file", {"bench"});
   expectError(2, "did you mean '--technique'?", probe({"--techniqe", "vsm"}));
+  expectError(2, "did you mean '--depth'?", {"probe", "--dep", map});
   expectError(2, "is not expected here", probe({"stray"}));
+  expectError(2, "--json: is not expected before `probe`", {"--json", "probe", "--depth", map});
   expectError(2, "go after the command", {"--radius", "2", "techniques"});
 }
 
@@ -60,17 +63,22 @@ TEST_F(Errors, ValuesOfOptions) {
   expectError(2, "a number", probe({"--set", "vsm.bleed-reduction=much"}));
   expectError(2, "TECHNIQUE.PARAMETER=VALUE", probe({"--set", "vsm=1"}));
   expectError(2, "NAME=VALUE", probe({"--set", "vsm.min-variance"}));
-  expectError(2, "none, box, gaussian", probe({"--kernel", "disc"}));
+  expectError(2, "--kernel: 'Box' is none of none, box, gaussian", probe({"--kernel", "Box"}));
   expectError(2, "--radius", probe({"--radius", "-1"}));
   expectError(2, "from 0 to 64", probe({"--radius", "65"}));
-  expectError(2, "--sigma", probe({"--sigma", "nan"}));
-  expectError(2, "double", probe({"--format", "quarter"}));
+  for (const char* sigma : {"nan", "1e-200", "0.009", "1001"})
+    expectError(2, "--sigma: ", probe({"--sigma", sigma}));
+  expectError(2, "--format: 'quarter' is none of", probe({"--format", "quarter"}));
   expectError(2, "--bins", probe({"--bins", "0"}));
   expectError(2, "--samples", probe({"--samples", "1"}));
   expectError(2, "--depth-range", probe({"--depth-range", "5,5"}));
+  expectError(2, "--depth-range", probe({"--depth-range", "-1e308,1e308"}));
+  expectError(2, "--depth: '' is not right", {"probe", "--depth", ""});
+  expectError(2, "--scene: '' is not right", {"probe", "--scene", "", "--pixel", "1,1"});
+  expectError(2, "--session: '' is not right", {"probe", "--session", "", "--pixel", "1,1"});
   expectError(2, "--map-size", probe({"--map-size", "7"}));
   expectError(2, "--size", probe({"--size", "640*480"}));
-  expectError(2, "shaded, visibility", probe({"--view", "pretty"}));
+  expectError(2, "--view: 'pretty' is none of shaded, visibility", probe({"--view", "pretty"}));
 }
 
 TEST_F(Errors, FeaturesThatThisVersionHasNot) {
@@ -133,6 +141,15 @@ TEST_F(Errors, TexelsThatAreNoDepthAreNamed) {
   expectBadTexel(std::numeric_limits<float>::infinity());
   expectBadTexel(1.25f);
   expectBadTexel(-0.001f);
+  expectBadTexel(std::nextafter(1.0f, 2.0f));
+}
+
+TEST_F(Errors, ATexelJustBeyondTheRangeIsShownInFull) {
+  Image<float> bad = smallMap();
+  bad(5, 11) = std::nextafter(1.0f, 2.0f);
+  writeMap(folder.file("bad.exr"), bad);
+  expectError(3, "is 1.0000001; depths",
+              {"probe", "--depth", folder.file("bad.exr"), "--texel", "2,3", "--receiver", "0.5"});
 }
 
 TEST_F(Errors, ScenesAndSessionsThatAreNone) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <set>
 
 #include "tests/cli/Process.h"
@@ -212,6 +213,50 @@ TEST_F(ProbeDepth, TextForPeopleHasTheSameFigures) {
   EXPECT_EQ(outcome.status, 0);
   EXPECT_NE(outcome.out.find("box 7×7"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("power-cdf"), std::string::npos) << outcome.out;
+}
+
+// The lvsm row's layers, placement and number of splits.
+std::string layeringIn(const Json& object) {
+  const Json& parameters = object["techniques"][0]["parameters"];
+  return std::to_string(parameters["layers"].get<int>()) + " " +
+         parameters["placement"].get<std::string>() + " " +
+         std::to_string(parameters["splits"].size());
+}
+
+TEST_F(ProbeDepth, TheLaterOfTwoSettingsHolds) {
+  const auto layering = [this](const Arguments& settings) {
+    Arguments arguments{"--technique", "lvsm"};
+    for (const std::string& setting : settings)
+      arguments.insert(arguments.end(), {"--set", "lvsm." + setting});
+    return layeringIn(probe(8, 9, 0.7, arguments));
+  };
+  EXPECT_EQ(layering({"splits=0.2:0.5", "placement=lloyd"}), "3 lloyd 0");
+  EXPECT_EQ(layering({"placement=lloyd", "splits=0.2:0.5"}), "3 manual 2");
+  // 4 is the default, which still takes the splits away.
+  EXPECT_EQ(layering({"splits=0.2:0.5", "layers=4"}), "4 manual 0");
+  EXPECT_EQ(layering({"layers=4", "splits=0.2:0.5"}), "3 manual 2");
+  EXPECT_EQ(layering({"splits=0.2:0.5", "layers=7", "placement=uniform"}), "7 uniform 0");
+}
+
+TEST_F(ProbeDepth, ASettingOverridesTheSessions) {
+  std::ofstream(folder.file("s.json"))
+      << R"({"format": "umbrascope-session/1", "parameters": {"lvsm": {"splits": [0.2, 0.5]}}})";
+  const Arguments session{"--technique", "lvsm", "--session", folder.file("s.json")};
+  const auto layering = [&](const Arguments& more) {
+    Arguments arguments = session;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return layeringIn(probe(8, 9, 0.7, arguments));
+  };
+  EXPECT_EQ(layering({}), "3 manual 2");
+  EXPECT_EQ(layering({"--set", "lvsm.layers=7"}), "7 manual 0");
+  EXPECT_EQ(layering({"--set", "lvsm.overlap=0.02"}), "3 manual 2");
+}
+
+TEST_F(ProbeDepth, AllAnywhereInTheListIsAll) {
+  const std::size_t every = probe(8, 9, 0.7, {"--technique", "all"})["techniques"].size();
+  EXPECT_GT(every, 8u);
+  EXPECT_EQ(probe(8, 9, 0.7, {"--technique", "all,vsm"})["techniques"].size(), every);
+  EXPECT_EQ(probe(8, 9, 0.7, {"--technique", "vsm,all"})["techniques"].size(), every);
 }
 
 }  // namespace

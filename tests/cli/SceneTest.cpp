@@ -47,6 +47,20 @@ TEST(SceneProbe, ThePixelOfAnEarlierProbeGivesTheSameProbe) {
   EXPECT_EQ(run(with(with(probe, {"--pixel", pixel}), small)).json(), first);
 }
 
+TEST(SceneProbe, TheWorstPixelOfSeveralIsThatOfVsm) {
+  const auto worst = [](const std::string& techniques) {
+    return run(with({"probe", "--json", "--scene", "three-planes", "--pixel", "worst",
+                     "--technique", techniques},
+                    small))
+        .json()["pixel"];
+  };
+  const Json ofVsm = worst("vsm"), ofHard = worst("hard");
+  EXPECT_NE(ofHard, ofVsm);  // else the rest says nothing
+  EXPECT_EQ(worst("all"), ofVsm);
+  EXPECT_EQ(worst("hard,vsm"), ofVsm);
+  EXPECT_EQ(worst("hard,esm"), worst("esm"));
+}
+
 TEST(SceneProbe, APixelWithoutASurfaceIsAnError) {
   const Arguments probe{"probe", "--json", "--scene", "tree-bench"};
   const Outcome sky = run(with(with(probe, {"--pixel", "2,2"}), small));

@@ -30,8 +30,8 @@ class FrameSettingsFormTest : public testing::Test {
 TEST_F(FrameSettingsFormTest, ShowingSettingsEmitsNothingAndKeepsThem) {
   FrameSettings settings;
   settings.kernel = {KernelShape::Gaussian, 9, 2.5};
-  settings.map = {192, StorageFormat::Unorm16};  // neither is offered
-  settings.bias = {0.2, 20.0, false, true};      // beyond the sliders
+  settings.map = {192, StorageFormat::Double};  // neither is offered
+  settings.bias = {0.2, 20.0, false, true};     // beyond the sliders
   settings.view = ViewMode::Error;
   form.setSettings(settings);
   EXPECT_TRUE(changes.empty());
@@ -52,6 +52,22 @@ TEST_F(FrameSettingsFormTest, RadiusSliderChangesTheRadiusOnly) {
   EXPECT_EQ(changes[0].second, "radius");
 }
 
+TEST_F(FrameSettingsFormTest, SigmaIsAutomaticOrWithinTheKernelsRange) {
+  FrameSettings settings;
+  settings.kernel = {KernelShape::Gaussian, 9, 2.5};
+  form.setSettings(settings);
+  QDoubleSpinBox* sigma = nullptr;
+  for (QDoubleSpinBox* box : form.findChildren<QDoubleSpinBox*>())
+    if (box->value() == 2.5) sigma = box;
+  ASSERT_NE(sigma, nullptr);
+  for (const auto& [typed, taken] :
+       {std::pair(1e-200, Kernel::smallestSigma), std::pair(0.0, 0.0), std::pair(100.0, 100.0),
+        std::pair(1e9, Kernel::largestSigma)}) {
+    sigma->setValue(typed);
+    EXPECT_EQ(form.settings().kernel.sigma, taken) << typed;
+  }
+}
+
 TEST_F(FrameSettingsFormTest, EveryBoxNamesItsChange) {
   const char* names[] = {"kernel", "read", "map size", "format"};
   for (int i = 0; i < 4; ++i) {
@@ -66,6 +82,30 @@ TEST_F(FrameSettingsFormTest, EveryBoxNamesItsChange) {
   EXPECT_EQ(last.read, ReadFilter::Point);
   EXPECT_EQ(last.map.size, 512);
   EXPECT_EQ(last.map.format, StorageFormat::Half);
+}
+
+TEST_F(FrameSettingsFormTest, ARefusedFormatSaysWhyAndIsPassedOver) {
+  form.setFormatRefusals({{StorageFormat::Half, "too coarse"}});
+  QComboBox* box = boxWith(3);
+  const int half = box->findText("half");
+  EXPECT_EQ(box->itemData(half, Qt::ToolTipRole).toString(), "too coarse");
+  QTest::keyClick(box, Qt::Key_Up);
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_EQ(changes[0].first.map.format, StorageFormat::Unorm16);
+  form.setFormatRefusals({});
+  QTest::keyClick(box, Qt::Key_Down);
+  EXPECT_EQ(changes.back().first.map.format, StorageFormat::Half);
+}
+
+TEST_F(FrameSettingsFormTest, AUnitIsSingularBesideOne) {
+  FrameSettings settings;
+  const auto text = [&](int radius) {
+    settings.kernel.radius = radius;
+    form.setSettings(settings);
+    return form.findChildren<QDoubleSpinBox*>().first()->text();
+  };
+  EXPECT_EQ(text(1), "1 texel");
+  EXPECT_EQ(text(2), "2 texels");
 }
 
 TEST_F(FrameSettingsFormTest, BoxesTickTheirOwnBias) {

@@ -3,6 +3,7 @@
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QHeaderView>
+#include <QLabel>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTest>
@@ -74,6 +75,37 @@ TEST_F(ProbeTableTest, GpuColumnIsThereOnlyWithValues) {
   probe.techniques[1].gpu.reset();
   table.setProbe(probe, "vsm");
   EXPECT_TRUE(table.view()->isColumnHidden(ProbeTableModel::GpuColumn));
+}
+
+TEST_F(ProbeTableTest, ARefusedTechniqueShowsADashAndItsReason) {
+  using Model = ProbeTableModel;
+  Probe probe = exampleProbe();
+  probe.refused.push_back(
+      {std::make_shared<ExampleTechnique>("esm", "Exponential (ESM)"), "esm cannot be stored"});
+  table.setProbe(probe, "vsm");
+  EXPECT_EQ(cell(4, Model::TitleColumn), "Exponential (ESM)");
+  EXPECT_EQ(cell(4, Model::ValueColumn), "–");
+  EXPECT_EQ(cell(4, Model::ErrorColumn), "–");
+  const QModelIndex index = table.view()->model()->index(4, 0);
+  EXPECT_EQ(index.data(Qt::ToolTipRole).toString(), "esm cannot be stored");
+  QSignalSpy chosen(&table, &ProbeTable::techniqueChosen);
+  QTest::mouseClick(table.view()->viewport(), Qt::LeftButton, {},
+                    table.view()->visualRect(index).center());
+  EXPECT_EQ(chosen.count(), 0);
+  EXPECT_EQ(table.asText().split('\n').at(5), "Exponential (ESM)\t\t\t");
+}
+
+TEST_F(ProbeTableTest, ClearedTableShowsAHint) {
+  const auto hint = [this] {
+    for (const QLabel* label : table.findChildren<QLabel*>())
+      if (label->text().startsWith("Point at")) return label->isVisible();
+    return false;
+  };
+  EXPECT_FALSE(hint());
+  EXPECT_TRUE(table.view()->isVisible());
+  table.clear();
+  EXPECT_TRUE(hint());
+  EXPECT_FALSE(table.view()->isVisible());
 }
 
 TEST_F(ProbeTableTest, CopiesFullPrecisionTabSeparated) {

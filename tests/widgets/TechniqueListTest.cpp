@@ -42,6 +42,30 @@ TEST_F(TechniqueListTest, ClickChooses) {
   EXPECT_EQ(chosen[0][0].toString(), "csm");
 }
 
+TEST_F(TechniqueListTest, WhatIsRefusedSaysWhyAndCannotBeChosen) {
+  list.setCurrent("vsm");
+  list.setRefusals({{"csm", "csm cannot be stored"}});
+  QSignalSpy chosen(&list, &TechniqueList::techniqueChosen);
+  auto* rows = list.findChild<QListWidget*>();
+  EXPECT_EQ(rows->item(2)->toolTip(), "csm cannot be stored");
+  QTest::mouseClick(rows->viewport(), Qt::LeftButton, {},
+                    rows->visualItemRect(rows->item(2)).center());
+  QTest::keyClick(rows, Qt::Key_Down);
+  EXPECT_EQ(chosen.count(), 0);
+  EXPECT_EQ(list.current(), "vsm");
+  list.setRefusals({});
+  EXPECT_TRUE(rows->item(2)->toolTip().contains("Convolution"));
+  QTest::keyClick(rows, Qt::Key_Down);
+  EXPECT_EQ(chosen.count(), 1);
+}
+
+TEST_F(TechniqueListTest, TheEleventhHasAKeyToo) {
+  EXPECT_EQ(techniqueKey(0), "0");
+  EXPECT_EQ(techniqueKey(9), "9");
+  EXPECT_EQ(techniqueKey(10), "M");
+  EXPECT_EQ(techniqueKey(11), "");
+}
+
 TEST_F(TechniqueListTest, ShowsEveryRowAndExplainsIt) {
   auto* rows = list.findChild<QListWidget*>();
   EXPECT_TRUE(rows->viewport()->rect().contains(rows->visualItemRect(rows->item(2))));

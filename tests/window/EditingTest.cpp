@@ -1,16 +1,21 @@
 // Changes: parameters, techniques, view, light, receiver, and their undoing.
+#include <QAbstractItemModel>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QPushButton>
 #include <QSlider>
+#include <QTableView>
 #include <QTest>
 
 #include "tests/window/WindowTest.h"
 #include "ui/ControlPane.h"
 #include "ui/EvidencePanes.h"
 #include "ui/Prober.h"
+#include "ui/ReductionTools.h"
 #include "ui/SceneView.h"
 #include "ui/widgets/ParameterForm.h"
 #include "ui/widgets/PlotPane.h"
+#include "ui/widgets/ProbeTable.h"
 #include "ui/widgets/ShadowMapCanvas.h"
 #include "ui/widgets/ShadowMapView.h"
 #include "ui/widgets/TechniqueList.h"
@@ -45,6 +50,94 @@ void WindowTest::aParameterChangeIsUndoneAndRedone() {
   QCOMPARE(slider->value(), slider->minimum());
   key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
   QVERIFY(std::abs(result("vsm").visibility - expected) < 1e-12);
+}
+
+void WindowTest::theSmallestReductionOfTheRegionIsSetAndPriced() {
+  MainWindow& window = open();
+  const double reference = window.prober().report()->probe.reference;
+  const double before = result("vsm").visibility;
+  QVERIFY(before > reference + 0.05);
+  ReductionTools& tools = window.controls().reduction();
+  window.findChild<QPushButton*>("reduceRegion")->click();
+  settle();
+  const auto& parameters = window.controller().session().parameters;
+  const double a = std::get<double>(parameters.at("vsm").at("bleed-reduction"));
+  // (p − a)/(1 − a) = r, rounded up to the four decimals that the form shows.
+  const double exact = (before - reference) / (1.0 - reference);
+  QVERIFY(a >= exact - 1e-9 && a < exact + 1.1e-4);
+  QVERIFY(result("vsm").error <= 1e-9);
+  QVERIFY(tools.said().contains("removes all bleeding here"));
+  QCOMPARE(window.controller().undoStack().count(), 1);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  QCOMPARE(result("vsm").visibility, before);
+  QVERIFY(tools.said().isEmpty());
+}
+
+void WindowTest::theSmallestReductionOfThePictureDarkensEveryUmbra() {
+  Session session;
+  session.source.name = "three-planes";
+  MainWindow& window = open(session);
+  // Whatever is set now: the bound is measured without it.
+  window.controller().edit("half",
+                           [](Session& s) { s.parameters["vsm"]["bleed-reduction"] = 0.5; });
+  settle();
+  window.findChild<QPushButton*>("reduceFrame")->click();
+  settle();
+  const auto& parameters = window.controller().session().parameters;
+  const double a = std::get<double>(parameters.at("vsm").at("bleed-reduction"));
+  QVERIFY(a > 0.05 && a < 0.99 && a != 0.5);
+  const auto brightestUmbra = [&] {
+    const Image<float> surfaces = window.view().lastFrame()->surfaces();
+    const Image<float> truth = window.view().lastFrame()->reference();
+    double brightest = 0.0;
+    for (const BoundSample& sample : boundSamplesOf(surfaces, truth))
+      if (sample.reference == 0.0) brightest = std::max(brightest, sample.bound);
+    return brightest;
+  };
+  QVERIFY(brightestUmbra() < 1e-5);
+  QVERIFY(window.controls().reduction().said().contains("full shadow"));
+  window.controller().edit("less",
+                           [a](Session& s) { s.parameters["vsm"]["bleed-reduction"] = a - 0.01; });
+  settle();
+  QVERIFY(brightestUmbra() > 1e-3);
+}
+
+void WindowTest::whatAFormatCannotHoldCannotBeChosen() {
+  MainWindow& window = open();
+  window.controller().edit("format",
+                           [](Session& s) { s.frame.map.format = StorageFormat::Unorm16; });
+  settle();
+  QVERIFY(window.prober().report().has_value());
+  QCOMPARE(result("vsm").technique->info().id, std::string_view("vsm"));
+  key(Qt::Key_3);  // ESM
+  QCOMPARE(window.controller().session().technique, std::string("vsm"));
+  key(Qt::Key_M);
+  QCOMPARE(window.controller().session().technique, std::string("msm"));
+  bool dash = false;
+  const QAbstractItemModel& table = *window.evidence().table().view()->model();
+  QCOMPARE(table.rowCount(), int(window.controller().techniques().size()));
+  for (int row = 0; row < table.rowCount(); ++row)
+    dash = dash || (table.index(row, 1).data().toString() == QString::fromUtf8("–") &&
+                    table.index(row, 0).data(Qt::ToolTipRole).toString().startsWith("esm stores"));
+  QVERIFY(dash);
+}
+
+void WindowTest::anotherNumberOfLayersDropsTheSplits() {
+  MainWindow& window = open();
+  window.controller().edit("Choose", [](Session& session) { session.technique = "lvsm"; });
+  const auto change = [&](const char* name, const ParameterValue& value) {
+    emit window.controls().parameters().parameterChanged(name, value);
+    settle();
+  };
+  const auto channels = [&] { return window.controller().technique().channels().size(); };
+  change("splits", std::vector<double>{0.2, 0.5});
+  QCOMPARE(channels(), std::size_t(2 * 3));  // two moments a layer
+  change("layers", 7);
+  QCOMPARE(channels(), std::size_t(2 * 7));
+  change("splits", std::vector<double>{0.2, 0.5});
+  QCOMPARE(channels(), std::size_t(2 * 3));
+  change("placement", std::string("lloyd"));
+  QVERIFY(window.controller().technique().clone()->adapts());
 }
 
 void WindowTest::aSliderDragIsOneStep() {

@@ -27,7 +27,11 @@ class WindowTest : public QObject {
   void aPinnedProbeStaysOnItsPoint();
   void aHiddenProbeFollowsTheParameters();
   void aParameterChangeIsUndoneAndRedone();
+  void theSmallestReductionOfTheRegionIsSetAndPriced();
+  void theSmallestReductionOfThePictureDarkensEveryUmbra();
+  void whatAFormatCannotHoldCannotBeChosen();
   void aSliderDragIsOneStep();
+  void anotherNumberOfLayersDropsTheSplits();
   void digitsSwitchTechniques();
   void keysSwitchTheView();
   void draggingTheSunMovesTheLight();

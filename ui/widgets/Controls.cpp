@@ -23,6 +23,11 @@ class WheelGuard : public QObject {
   }
 };
 
+QString suffixOf(const QString& unit, double value) {
+  if (unit.isEmpty()) return {};
+  return " " + (value == 1.0 && unit.endsWith('s') ? unit.chopped(1) : unit);
+}
+
 }  // namespace
 
 void ignoreWheelWithoutFocus(QWidget* widget) {
@@ -98,11 +103,15 @@ void RealBox::stepBy(int steps) {
 }
 
 NumberControl::NumberControl(const SliderScale& scale, const QString& unit, QWidget* parent)
-    : QObject(parent), scale_(scale), slider_(new Slider(parent)), box_(new RealBox(parent)) {
+    : QObject(parent),
+      scale_(scale),
+      unit_(unit),
+      slider_(new Slider(parent)),
+      box_(new RealBox(parent)) {
   slider_->setRange(0, scale.positions());
   slider_->setPageStep(std::max(1, scale.positions() / 20));
   box_->setScale(scale);
-  if (!unit.isEmpty()) box_->setSuffix(" " + unit);
+  box_->setSuffix(suffixOf(unit, 0.0));
   const QString widest = scale.whole ? "0000" : scale.logarithmic ? "0.00e-00" : "0.00000";
   box_->setFixedWidth(box_->fontMetrics().horizontalAdvance(widest + box_->suffix()) + 10);
   setValue(scale.low);
@@ -119,6 +128,7 @@ void NumberControl::setValue(double value) {
   const QSignalBlocker quietSlider(slider_), quietBox(box_);
   box_->setRange(std::min(scale_.low, value), std::max(scale_.high, value));
   if (box_->value() != value) box_->setValue(value);
+  box_->setSuffix(suffixOf(unit_, value));
   // While it is dragged the slider is where the hand is.
   if (!slider_->isSliderDown()) slider_->setValue(scale_.positionOf(value));
 }

@@ -37,7 +37,8 @@ class RealBox : public QDoubleSpinBox {
   SliderScale scale_;
 };
 
-// A slider and a box for one number. Lay the two out where they belong.
+// A slider and a box for one number; a unit in the plural, such as "texels", loses its s beside 1.
+// Lay the two out where they belong.
 class NumberControl : public QObject {
   Q_OBJECT
 
@@ -58,6 +59,7 @@ class NumberControl : public QObject {
   void take(double value);
 
   SliderScale scale_;
+  QString unit_;
   Slider* slider_;
   RealBox* box_;
   double value_ = 0.0;

@@ -4,7 +4,9 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QStandardItemModel>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/widgets/Controls.h"
 #include "ui/widgets/Style.h"
@@ -73,7 +75,8 @@ FrameSettingsForm::FrameSettingsForm(QWidget* parent)
   c.radius = sliderRow(body(), this, tr("Radius r"), {0.0, Kernel::largestRadius, false, true},
                        tr("texels"), tr("The kernel has (2r+1)² taps"));
   c.sigma = new RealBox;
-  c.sigma->setScale({0.0, 64.0});
+  c.sigma->setScale({0.0, Kernel::largestRadius});  // what the arrow keys step over
+  c.sigma->setMaximum(Kernel::largestSigma);
   c.sigma->setFixedWidth(c.radius->box()->width());
   c.sigmaRow = row(body(), tr("Gaussian σ"), c.sigma,
                    tr("Standard deviation in texels; 0 is automatic: half the radius"));
@@ -84,6 +87,10 @@ FrameSettingsForm::FrameSettingsForm(QWidget* parent)
   for (int size = 128; size <= 4096; size *= 2) c.size->addItem(squared(size), size);
   row(body(), tr("Map"), c.size, tr("Texels of the shadow map"));
   c.format = choices({});
+  // What textures on the GPU take.
+  for (StorageFormat format :
+       {StorageFormat::Unorm8, StorageFormat::Unorm16, StorageFormat::Half, StorageFormat::Float})
+    c.format->addItem(style::text(nameOf(format)), int(format));
   row(body(), tr("Storage"), c.format, tr("How a channel is stored per texel"));
 
   c.constant =
@@ -108,7 +115,6 @@ FrameSettingsForm::FrameSettingsForm(QWidget* parent)
   body()->addWidget(c.gpu);
   body()->addStretch();
 
-  setFormats({StorageFormat::Half, StorageFormat::Float});
   connectControls();
   showSettings();
 }
@@ -143,7 +149,7 @@ void FrameSettingsForm::connectControls() {
   slid(c.slope, "slope bias", [](FrameSettings& s, double v) { s.bias.slope = v; });
 
   connect(c.sigma, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this](double v) {
-    shown_.kernel.sigma = v;
+    shown_.kernel.sigma = v > 0.0 ? std::max(v, Kernel::smallestSigma) : 0.0;
     change("sigma");
   });
   connect(c.sigma, &QDoubleSpinBox::editingFinished, this,
@@ -197,11 +203,14 @@ void FrameSettingsForm::change(const QString& what) {
   emit settingsChanged(shown_, what);
 }
 
-void FrameSettingsForm::setFormats(const std::vector<StorageFormat>& formats) {
-  controls_->format->clear();
-  for (StorageFormat format : formats)
-    controls_->format->addItem(style::text(nameOf(format)), int(format));
-  select(controls_->format, int(shown_.map.format), style::text(nameOf(shown_.map.format)));
+void FrameSettingsForm::setFormatRefusals(const std::map<StorageFormat, QString>& reasons) {
+  auto* items = qobject_cast<QStandardItemModel*>(controls_->format->model());
+  for (int row = 0; row < items->rowCount(); ++row) {
+    QStandardItem* item = items->item(row);
+    const auto found = reasons.find(StorageFormat(item->data(Qt::UserRole).toInt()));
+    item->setEnabled(found == reasons.end());
+    item->setToolTip(found == reasons.end() ? QString() : found->second);
+  }
 }
 
 void FrameSettingsForm::setGpuText(const QString& text) {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <QMetaType>
+#include <map>
 #include <memory>
-#include <vector>
 
 #include "filters/core/FrameSettings.h"
 #include "ui/widgets/Card.h"
@@ -21,8 +21,8 @@ class FrameSettingsForm : public Card {
   void setSettings(const FrameSettings& settings);
   FrameSettings settings() const;
 
-  // The formats to choose from; half and float unless set.
-  void setFormats(const std::vector<StorageFormat>& formats);
+  // Greys out the formats that cannot be chosen; each with its reason, as a tool tip.
+  void setFormatRefusals(const std::map<StorageFormat, QString>& reasons);
   // A line at the end, such as "bake 3.1 · blur 1.4 · shade 6.0 ms"; empty hides it.
   void setGpuText(const QString& text);
 

@@ -68,6 +68,10 @@ void ParameterForm::rebuild() {
   source_->setToolTip(style::text(info.summary));
 }
 
+void ParameterForm::setTools(QWidget* tools) {
+  body()->insertWidget(int(rows_.size()), tools);
+}
+
 void ParameterForm::setNotices(const QStringList& notices) {
   notices_->setText(notices.join("\n"));
   notices_->setVisible(!notices.isEmpty());

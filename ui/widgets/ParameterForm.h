@@ -25,6 +25,9 @@ class ParameterForm : public Card {
   // stay and only their values follow, so that a drag is not interrupted.
   void setTechnique(const Technique& technique);
 
+  // A widget between the rows and what is below them; the form owns it.
+  void setTools(QWidget* tools);
+
   // Sentences below the form, such as what Technique::limitTo returned; empty hides them.
   void setNotices(const QStringList& notices);
 

@@ -4,6 +4,7 @@
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QHeaderView>
+#include <QLabel>
 #include <QTableView>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -22,7 +23,8 @@ constexpr int widestBar = 160;
 ProbeTable::ProbeTable(QWidget* parent)
     : Card(tr("All techniques at this pixel"), parent),
       model_(new ProbeTableModel(this)),
-      view_(new QTableView) {
+      view_(new QTableView),
+      hint_(new QLabel) {
   view_->setModel(model_);
   view_->setItemDelegate(new ProbeTableDelegate(view_));
   view_->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -42,6 +44,13 @@ ProbeTable::ProbeTable(QWidget* parent)
                                 "transparent; color: %2; padding: 2px 4px; }")
                             .arg(style::border.name(), style::muted.name()));
   body()->addWidget(view_);
+  hint_->setText(tr("Point at a shadow: what every technique makes of it appears here."));
+  hint_->setWordWrap(true);
+  hint_->setAlignment(Qt::AlignCenter);
+  QPalette palette = hint_->palette();
+  palette.setColor(QPalette::WindowText, style::muted);
+  hint_->setPalette(palette);
+  body()->addWidget(hint_, 1);
 
   auto* copyButton = new QToolButton;
   copyButton->setText(tr("Copy"));
@@ -54,6 +63,7 @@ ProbeTable::ProbeTable(QWidget* parent)
   view_->setContextMenuPolicy(Qt::ActionsContextMenu);
   connect(copyAction, &QAction::triggered, this, &ProbeTable::copy);
 
+  showHint(true);
   connect(view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           [this](const QModelIndex& current) {
             if (!quiet_ && current.isValid())
@@ -63,6 +73,7 @@ ProbeTable::ProbeTable(QWidget* parent)
 
 void ProbeTable::setProbe(const Probe& probe, const QString& selected) {
   model_->setProbe(probe);
+  showHint(false);
   setSelected(selected);
   arrangeColumns();
 }
@@ -80,6 +91,12 @@ void ProbeTable::setSelected(const QString& id) {
 
 void ProbeTable::clear() {
   model_->clear();
+  showHint(true);
+}
+
+void ProbeTable::showHint(bool shown) {
+  hint_->setVisible(shown);
+  view_->setVisible(!shown);
 }
 
 QString ProbeTable::asText() const {

@@ -4,6 +4,7 @@
 #include "analysis/Probe.h"
 #include "ui/widgets/Card.h"
 
+class QLabel;
 class QTableView;
 
 namespace umbra {
@@ -19,7 +20,7 @@ class ProbeTable : public Card {
   // One row per technique of the probe, in its order; `selected` is an id.
   void setProbe(const Probe& probe, const QString& selected);
   void setSelected(const QString& id);
-  void clear();
+  void clear();  // no rows, a hint in their place
 
   // Tab separated with a header line, numbers in full precision; for spreadsheets.
   QString asText() const;
@@ -38,9 +39,11 @@ class ProbeTable : public Card {
 
  private:
   void arrangeColumns();
+  void showHint(bool shown);
 
   ProbeTableModel* model_;
   QTableView* view_;
+  QLabel* hint_;
   bool quiet_ = false;  // while setSelected moves the selection
 };
 

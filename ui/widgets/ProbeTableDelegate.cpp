@@ -48,9 +48,10 @@ void ProbeTableDelegate::paint(QPainter* painter, const QStyleOptionViewItem& op
   QFont font = column == ProbeTableModel::TitleColumn ? option.font : style::figures(option.font);
   font.setBold(selected);
   painter->setFont(font);
-  painter->setPen(style::ink);
+  const bool refused = !(index.flags() & Qt::ItemIsEnabled);
+  painter->setPen(refused ? style::muted : style::ink);
   if (column == ProbeTableModel::BarColumn) {
-    drawBar(*painter, option.rect, index.data(ProbeTableModel::ErrorRole).toDouble());
+    if (!refused) drawBar(*painter, option.rect, index.data(ProbeTableModel::ErrorRole).toDouble());
   } else if (column == ProbeTableModel::TitleColumn) {
     const QRect text = option.rect.adjusted(chipWidth, 0, -2, 0);
     painter->drawText(text, Qt::AlignVCenter | Qt::AlignLeft,

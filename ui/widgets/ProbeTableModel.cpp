@@ -9,11 +9,22 @@ namespace umbra {
 
 void ProbeTableModel::setProbe(const Probe& probe) {
   std::vector<Row> rows;
-  for (const TechniqueResult& result : probe.techniques) {
-    const TechniqueInfo& info = result.technique->info();
+  const auto add = [&rows](const TechniqueInfo& info) -> Row& {
     rows.push_back({style::text(info.id), style::text(info.title), style::text(info.citation),
-                    QColor(style::text(info.colour)), result.visibility, result.error, result.gpu});
+                    QColor(style::text(info.colour))});
+    rows.back().order = info.order;
+    return rows.back();
+  };
+  for (const TechniqueResult& result : probe.techniques) {
+    Row& row = add(result.technique->info());
+    row.visibility = result.visibility;
+    row.error = result.error;
+    row.gpu = result.gpu;
   }
+  for (const RefusedTechnique& refused : probe.refused)
+    add(refused.technique->info()).refusal = style::text(refused.reason);
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const Row& a, const Row& b) { return a.order < b.order; });
   const bool same = std::equal(rows.begin(), rows.end(), rows_.begin(), rows_.end(),
                                [](const Row& a, const Row& b) { return a.id == b.id; });
   if (!same) beginResetModel();
@@ -45,8 +56,11 @@ QString ProbeTableModel::asText() const {
   const auto number = [](double value) { return QString::fromStdString(toText(value)); };
   QString text = "technique\tvisibility\tgpu\terror\n";
   for (const Row& row : rows_)
-    text += row.title + "\t" + number(row.visibility) + "\t" +
-            (row.gpu ? number(*row.gpu) : QString()) + "\t" + number(row.error) + "\n";
+    if (!row.refusal.isEmpty())
+      text += row.title + "\t\t\t\n";
+    else
+      text += row.title + "\t" + number(row.visibility) + "\t" +
+              (row.gpu ? number(*row.gpu) : QString()) + "\t" + number(row.error) + "\n";
   return text;
 }
 
@@ -56,6 +70,11 @@ int ProbeTableModel::rowCount(const QModelIndex& parent) const {
 
 int ProbeTableModel::columnCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : int(ColumnCount);
+}
+
+Qt::ItemFlags ProbeTableModel::flags(const QModelIndex& index) const {
+  const bool refused = index.isValid() && !rows_[std::size_t(index.row())].refusal.isEmpty();
+  return refused ? Qt::NoItemFlags : QAbstractTableModel::flags(index);
 }
 
 QVariant ProbeTableModel::data(const QModelIndex& index, int role) const {
@@ -68,6 +87,7 @@ QVariant ProbeTableModel::data(const QModelIndex& index, int role) const {
     case ErrorRole:
       return row.error;
     case Qt::ToolTipRole:
+      if (!row.refusal.isEmpty()) return row.refusal;
       return tr("%1: v = %2, error %3 (%4)\n%5")
           .arg(row.title, style::figure(row.visibility), style::signedFigure(row.error),
                row.error > 0   ? tr("too light")
@@ -79,6 +99,8 @@ QVariant ProbeTableModel::data(const QModelIndex& index, int role) const {
     default:
       return {};
   }
+  if (!row.refusal.isEmpty() && (index.column() == ValueColumn || index.column() == ErrorColumn))
+    return QString(QChar(0x2013));
   switch (index.column()) {
     case TitleColumn:
       return row.title;

@@ -20,7 +20,9 @@ class ProbeTableModel : public QAbstractTableModel {
 
   using QAbstractTableModel::QAbstractTableModel;
 
-  // Rows stay where the techniques are the same, so that a selection survives a moving probe.
+  // In the order of the lists, those that the storage format cannot hold among the others: they
+  // show a dash and say why, and cannot be chosen. Rows stay where the techniques are the same, so
+  // that a selection survives a moving probe.
   void setProbe(const Probe& probe);
   void clear();
   bool hasGpuValues() const;
@@ -29,6 +31,7 @@ class ProbeTableModel : public QAbstractTableModel {
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
   QVariant data(const QModelIndex& index, int role) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
@@ -38,6 +41,8 @@ class ProbeTableModel : public QAbstractTableModel {
     QColor colour;
     double visibility = 0.0, error = 0.0;
     std::optional<double> gpu;
+    QString refusal;  // why there are no figures; empty where there are
+    int order = 0;
   };
 
   std::vector<Row> rows_;

@@ -10,7 +10,7 @@
 namespace umbra {
 namespace {
 
-enum Role { IdRole = Qt::UserRole, ColourRole, DigitRole };
+enum Role { IdRole = Qt::UserRole, ColourRole, KeyRole, AboutRole, RefusedRole };
 
 class TechniqueDelegate : public QStyledItemDelegate {
  public:
@@ -27,7 +27,8 @@ class TechniqueDelegate : public QStyledItemDelegate {
 
     const QRectF row = option.rect;
     painter->setPen(Qt::NoPen);
-    painter->setBrush(colour);
+    const bool refused = index.data(RefusedRole).toBool();
+    painter->setBrush(refused ? style::tint(colour) : colour);
     painter->drawRoundedRect(QRectF(row.left() + 4, row.center().y() - 4, 9, 9), 2, 2);
 
     QFont font = option.font;
@@ -35,14 +36,14 @@ class TechniqueDelegate : public QStyledItemDelegate {
     painter->setFont(font);
     const int digitWidth = 18;
     const QRect title = option.rect.adjusted(20, 0, -digitWidth - 4, 0);
-    painter->setPen(style::ink);
+    painter->setPen(refused ? style::muted : style::ink);
     painter->drawText(
         title, Qt::AlignVCenter | Qt::AlignLeft,
         QFontMetrics(font).elidedText(index.data().toString(), Qt::ElideRight, title.width()));
     painter->setFont(style::figures(option.font));
     painter->setPen(style::muted);
     painter->drawText(option.rect.adjusted(0, 0, -4, 0), Qt::AlignVCenter | Qt::AlignRight,
-                      index.data(DigitRole).toString());
+                      index.data(KeyRole).toString());
     painter->restore();
   }
 
@@ -58,6 +59,10 @@ QString toolTipOf(const TechniqueInfo& info) {
 }
 
 }  // namespace
+
+QString techniqueKey(int place) {
+  return place <= 9 ? QString::number(place) : place == 10 ? QStringLiteral("M") : QString();
+}
 
 TechniqueList::TechniqueList(QWidget* parent)
     : Card(tr("Technique"), parent), list_(new QListWidget) {
@@ -75,15 +80,14 @@ void TechniqueList::setTechniques(const std::vector<const Technique*>& technique
   const QString before = current();
   const QSignalBlocker quiet(list_);
   list_->clear();
-  int digit = 0;
   for (const Technique* technique : techniques) {
     const TechniqueInfo& info = technique->info();
     auto* item = new QListWidgetItem(style::text(info.title), list_);
     item->setData(IdRole, style::text(info.id));
     item->setData(ColourRole, QColor(style::text(info.colour)));
-    item->setData(DigitRole, digit <= 9 ? QString::number(digit) : QString());
+    item->setData(KeyRole, techniqueKey(list_->row(item)));
+    item->setData(AboutRole, toolTipOf(info));
     item->setToolTip(toolTipOf(info));
-    ++digit;
   }
   setCurrent(before);
   list_->setFixedHeight(list_->count() == 0 ? 0 : list_->count() * list_->sizeHintForRow(0) + 2);
@@ -95,6 +99,19 @@ void TechniqueList::setCurrent(const QString& id) {
   for (int row = 0; row < list_->count(); ++row)
     if (list_->item(row)->data(IdRole) == id) found = list_->item(row);
   list_->setCurrentItem(found);
+}
+
+void TechniqueList::setRefusals(const QMap<QString, QString>& reasons) {
+  const QSignalBlocker quiet(list_);
+  for (int row = 0; row < list_->count(); ++row) {
+    QListWidgetItem* item = list_->item(row);
+    const QString reason = reasons.value(item->data(IdRole).toString());
+    item->setData(RefusedRole, !reason.isEmpty());
+    item->setToolTip(reason.isEmpty() ? item->data(AboutRole).toString() : reason);
+    // The current one, of a session from elsewhere, stays what it is.
+    const bool choosable = reason.isEmpty() || item == list_->currentItem();
+    item->setFlags(choosable ? Qt::ItemIsEnabled | Qt::ItemIsSelectable : Qt::NoItemFlags);
+  }
 }
 
 QString TechniqueList::current() const {

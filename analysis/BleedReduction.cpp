@@ -1,0 +1,163 @@
+#include "analysis/BleedReduction.h"
+
+#include <algorithm>
+
+#include "analysis/CompareMap.h"
+#include "analysis/ReceiverPixels.h"
+#include "filters/core/Prefilter.h"
+
+namespace umbra {
+namespace {
+
+// Below the resolution of every format but double, whose rounding it covers.
+constexpr double rounding = 1e-12;
+
+double reduced(double bound, double amount) {
+  return std::clamp((bound - amount) / (1.0 - amount), 0.0, 1.0);
+}
+
+// Where a technique mixes several reduced bounds, as LVSM does between its layers, the closed form
+// of one bound may fall short; what is missing is found by halving.
+double halved(const TechniqueResult& result, const Probe& probe, double low, double high) {
+  const auto bleeds = [&](double amount) {
+    const Fetch fetch{result.channels, probe.region};
+    return withBleedReduction(*result.technique, amount)->visibility(fetch, probe.receiver) >
+           probe.reference + rounding;
+  };
+  if (!bleeds(low)) return low;
+  while (high - low > rounding) {
+    const double middle = 0.5 * (low + high);
+    (bleeds(middle) ? low : high) = middle;
+  }
+  return high;
+}
+
+// The reference falls only behind a depth of the region, so that of a visibility that falls with
+// the receiver's depth the largest darkening is at one of them.
+void addDarkening(const TechniqueResult& result, const Probe& probe, BleedReduction& found) {
+  const std::unique_ptr<Technique> technique = withBleedReduction(*result.technique, found.amount);
+  const EmpiricalCdf cdf = empiricalCdfOf(probe.region);
+  const Fetch fetch{result.channels, probe.region};
+  double inFront = 0.0;
+  for (std::size_t i = 0; i < cdf.depth.size(); ++i) {
+    const double darkening =
+        std::max(0.0, 1.0 - inFront - technique->visibility(fetch, cdf.depth[i]));
+    found.darkening = std::max(found.darkening, darkening);
+    found.meanDarkening += darkening * (cdf.cumulative[i] - inFront);
+    inFront = cdf.cumulative[i];
+  }
+}
+
+}  // namespace
+
+double smallestReduction(double bound, double reference) {
+  return bound > reference ? (bound - reference) / (1.0 - reference) : 0.0;
+}
+
+std::optional<double> largestBleedReduction(const Technique& technique) {
+  const std::unique_ptr<Technique> copy = technique.clone();
+  for (const Parameter& parameter : copy->parameters())
+    if (parameter.name == bleedReductionName) return parameter.high;
+  return std::nullopt;
+}
+
+double bleedReduction(const Technique& technique) {
+  const std::unique_ptr<Technique> copy = technique.clone();
+  for (const Parameter& parameter : copy->parameters())
+    if (parameter.name == bleedReductionName) return std::get<double>(parameter.get());
+  return 0.0;
+}
+
+std::unique_ptr<Technique> withBleedReduction(const Technique& technique, double amount) {
+  std::unique_ptr<Technique> copy = technique.clone();
+  for (const Parameter& parameter : copy->parameters())
+    if (parameter.name == bleedReductionName) {
+      parameter.set(amount, bleedReductionName);
+      return copy;
+    }
+  return nullptr;
+}
+
+std::optional<BleedReduction> bleedReductionOf(const Probe& probe, const TechniqueResult& result) {
+  const std::optional<double> largest = largestBleedReduction(*result.technique);
+  if (!largest) return std::nullopt;
+  const Fetch fetch{result.channels, probe.region};
+  const auto visibility = [&](double amount) {
+    return withBleedReduction(*result.technique, amount)->visibility(fetch, probe.receiver);
+  };
+  BleedReduction found;
+  found.amount = std::min(smallestReduction(visibility(0.0), probe.reference), *largest);
+  if (visibility(*largest) > probe.reference + rounding) {
+    found.amount = *largest;
+    found.removesAll = false;
+  } else {
+    found.amount = halved(result, probe, found.amount, *largest);
+  }
+  addDarkening(result, probe, found);
+  return found;
+}
+
+std::vector<BoundSample> boundSamplesOf(const Image<float>& surfaces,
+                                        const Image<float>& reference) {
+  std::vector<BoundSample> samples;
+  for (int y = 0; y < surfaces.height(); ++y)
+    for (int x = 0; x < surfaces.width(); ++x)
+      if (receivesShadow(surfaces.pixel(x, y)))
+        samples.push_back({surfaces(x, y, 3), reference(x, y)});
+  return samples;
+}
+
+BleedReduction bleedReductionOver(std::span<const BoundSample> samples, double largest) {
+  BleedReduction found;
+  for (const BoundSample& sample : samples)
+    if (sample.reference == 0.0) found.amount = std::max(found.amount, sample.bound);
+  if (getenv("UMB_M")) {
+    double a = 0;
+    int one = 0, n = 0;
+    double b2 = 0;
+    for (auto& q : samples) {
+      ++n;
+      double v = smallestReduction(q.bound, q.reference);
+      if (q.bound >= 1 && q.reference < 1)
+        ++one;
+      else if (q.bound < 1) {
+        if (v > a) a = v;
+        if (q.bound - q.reference > 1. / 255 && v > b2) b2 = v;
+      }
+    }
+    fprintf(stderr, "all %g visible %g ones %d of %d umbra %g\n", a, b2, one, n, found.amount);
+  }
+  found.removesAll = found.amount <= largest;
+  found.amount = std::min(found.amount, largest);
+  for (const BoundSample& sample : samples) {
+    const double darkening = std::max(0.0, sample.reference - reduced(sample.bound, found.amount));
+    found.darkening = std::max(found.darkening, darkening);
+    found.meanDarkening += darkening / double(samples.size());
+  }
+  return found;
+}
+
+std::optional<BleedReduction> bleedReductionOnMap(const DepthMap& map, const Technique& technique,
+                                                  const Kernel& kernel, StorageFormat format,
+                                                  double receiver) {
+  const std::optional<double> largest = largestBleedReduction(technique);
+  if (!largest) return std::nullopt;
+  const std::unique_ptr<Technique> bound = withBleedReduction(technique, 0.0);
+  const Image<double> channels = prefilteredMap(map, *bound, kernel, format);
+  const Image<double> reference = referenceMap(map, kernel, receiver);
+  std::vector<BoundSample> samples;
+  samples.reserve(map.values().size());
+  Region place;  // without texels: a technique that bounds reads none
+  place.kernel = kernel;
+  for (int y = 0; y < map.height(); ++y)
+    for (int x = 0; x < map.width(); ++x) {
+      place.x = x;
+      place.y = y;
+      place.nearestDepth = map(x, y);
+      samples.push_back(
+          {bound->visibility({channels.pixel(x, y), place}, receiver), reference(x, y)});
+    }
+  return bleedReductionOver(samples, *largest);
+}
+
+}  // namespace umbra

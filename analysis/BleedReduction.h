@@ -1,0 +1,65 @@
+// The smallest light-bleeding reduction that removes all light bleeding, and what it costs.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "analysis/Probe.h"
+#include "filters/core/Image.h"
+
+namespace umbra {
+
+// Techniques that can cut the tail of their bound off have a parameter of this name, a: visibility
+// p becomes (p − a)/(1 − a), at least 0 (Lauritzen 2008, §3.4).
+inline constexpr std::string_view bleedReductionName = "bleed-reduction";
+
+struct BleedReduction {
+  double amount = 0.0;  // a, within the parameter's range; 0 where nothing bleeds
+  // False where light is left even with the largest amount: a bound of 1 is never reduced.
+  bool removesAll = true;
+  // How far below the reference the reduced visibility comes, at most and on average over all
+  // receivers: a penumbra pays for what is taken from the umbra.
+  double darkening = 0.0, meanDarkening = 0.0;
+};
+
+// The smallest a ≥ 0 with (p − a)/(1 − a) ≤ r, which is (p − r)/(1 − r) for p > r and else 0. Bound
+// p and reference r in [0,1]; the result is 1 for p = 1 > r.
+double smallestReduction(double bound, double reference);
+
+// What the technique is set to; 0 where it has no such parameter.
+double bleedReduction(const Technique& technique);
+// A copy of the technique with that amount; null where it has no such parameter.
+std::unique_ptr<Technique> withBleedReduction(const Technique& technique, double amount);
+// The parameter's largest value; none where the technique has no such parameter.
+std::optional<double> largestBleedReduction(const Technique& technique);
+
+// For the receiver of the probe, whatever amount the technique is set to. The darkening is that of
+// receivers at the region's own depths, on which the shadow's edge may fall. None where the
+// technique has no such parameter.
+std::optional<BleedReduction> bleedReductionOf(const Probe& probe, const TechniqueResult& result);
+
+// One receiver: the visibility without any reduction, and the truth.
+struct BoundSample {
+  double bound = 0.0, reference = 0.0;
+};
+
+// Those of a frame drawn without reduction: every pixel that receives shadow. `surfaces` and
+// `reference` as ShadowRenderer gives them.
+std::vector<BoundSample> boundSamplesOf(const Image<float>& surfaces,
+                                        const Image<float>& reference);
+
+// For many receivers, such as the pixels of a frame: the smallest amount that leaves every one in
+// full shadow (reference 0) dark, at most `largest`. A penumbra's bound reaches 1 before its
+// reference does, so that no amount below 1 would do for those as well.
+BleedReduction bleedReductionOver(std::span<const BoundSample> samples, double largest);
+
+// For every texel of a map as a receiver at depth `receiver`: point reads of the prefiltered map.
+// None where the technique has no such parameter.
+std::optional<BleedReduction> bleedReductionOnMap(const DepthMap& map, const Technique& technique,
+                                                  const Kernel& kernel, StorageFormat format,
+                                                  double receiver);
+
+}  // namespace umbra
