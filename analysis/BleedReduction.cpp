@@ -111,22 +111,6 @@ BleedReduction bleedReductionOver(std::span<const BoundSample> samples, double l
   BleedReduction found;
   for (const BoundSample& sample : samples)
     if (sample.reference == 0.0) found.amount = std::max(found.amount, sample.bound);
-  if (getenv("UMB_M")) {
-    double a = 0;
-    int one = 0, n = 0;
-    double b2 = 0;
-    for (auto& q : samples) {
-      ++n;
-      double v = smallestReduction(q.bound, q.reference);
-      if (q.bound >= 1 && q.reference < 1)
-        ++one;
-      else if (q.bound < 1) {
-        if (v > a) a = v;
-        if (q.bound - q.reference > 1. / 255 && v > b2) b2 = v;
-      }
-    }
-    fprintf(stderr, "all %g visible %g ones %d of %d umbra %g\n", a, b2, one, n, found.amount);
-  }
   found.removesAll = found.amount <= largest;
   found.amount = std::min(found.amount, largest);
   for (const BoundSample& sample : samples) {

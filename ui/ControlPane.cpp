@@ -62,9 +62,9 @@ ControlPane::ControlPane(SessionController& controller, Prober& prober, SceneVie
             controller_.edit(
                 tr("Change %1").arg(what),
                 [&](Session& session) {
-                  const ViewMode view = session.frame.view;
+                  const ViewMode mode = session.frame.view;
                   session.frame = settings;
-                  session.frame.view = view;
+                  session.frame.view = mode;
                 },
                 "frame " + what);
           });
