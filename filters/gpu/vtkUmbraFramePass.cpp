@@ -17,6 +17,7 @@
 #include "FullScreen_vert_glsl.h"
 #include "View_frag_glsl.h"
 #include "filters/core/Error.h"
+#include "filters/core/TechniqueEquality.h"
 #include "filters/gpu/SceneActors.h"
 #include "filters/gpu/TechniqueShader.h"
 #include "filters/gpu/ViewColours.h"
@@ -26,14 +27,6 @@ namespace {
 
 vtkOpenGLRenderWindow* windowOf(vtkRenderer* renderer) {
   return static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-}
-
-bool sameTechnique(Technique& a, Technique& b) {
-  if (a.info().id != b.info().id) return false;
-  const std::vector<Parameter> left = a.parameters(), right = b.parameters();
-  for (std::size_t i = 0; i < left.size(); ++i)
-    if (left[i].get() != right[i].get()) return false;
-  return true;
 }
 
 // As View.frag.glsl counts them. A technique without layers has nothing to tint.
@@ -92,9 +85,8 @@ void vtkUmbraFramePass::SetSettings(const FrameSettings& settings) {
 }
 
 void vtkUmbraFramePass::SetTechnique(const Technique& technique) {
-  std::unique_ptr<Technique> copy = technique.clone();
-  if (this->Asked && sameTechnique(*this->Asked, *copy)) return;
-  this->Asked = std::move(copy);
+  if (this->Asked && sameSettings(*this->Asked, technique)) return;
+  this->Asked = technique.clone();
   this->MakeStale(Stage::Encode);
 }
 
