@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 #include <set>
+#include <tuple>
 
 #include "tests/cli/Process.h"
 #include "tests/cli/SmallMap.h"
@@ -93,8 +94,36 @@ TEST_F(ProbeDepth, PrintsTheFieldsThatScriptsRelyOn) {
             (std::set<std::string>{"mean", "secondMoment", "variance", "min", "max", "beta"}));
   ASSERT_EQ(object["techniques"].size(), 1u);
   const Json row = object["techniques"][0];
-  EXPECT_EQ(keysOf(row), (std::set<std::string>{"name", "parameters", "visibility", "error"}));
+  EXPECT_EQ(keysOf(row), (std::set<std::string>{"name", "parameters", "visibility", "error",
+                                                "smallestReduction"}));
   EXPECT_EQ(row["parameters"], (Json{{"min-variance", 1e-6}, {"bleed-reduction", 0.0}}));
+}
+
+TEST_F(ProbeDepth, TellsTheSmallestReductionAndWhatItCosts) {
+  for (const auto& [x, y, receiver] :
+       {std::tuple{8, 9, 0.66}, std::tuple{7, 3, 0.72}, std::tuple{12, 4, 0.69}}) {
+    const Json rows = probe(x, y, receiver, {"--technique", "vsm,csm"})["techniques"];
+    EXPECT_FALSE(rows[1].contains("smallestReduction"));
+    const Json found = rows[0]["smallestReduction"];
+    const Taps taps(map, x, y, 3);
+    const double bound = vsm(taps, receiver), reference = pcf(taps, receiver);
+    ASSERT_GT(bound, reference);
+    const double amount = (bound - reference) / (1.0 - reference);
+    EXPECT_NEAR(found["amount"], amount, 1e-9);
+    EXPECT_TRUE(found["removesAll"]);
+    double darkening = 0.0;
+    for (double z : taps.depths) {
+      const double reduced = std::max(0.0, (vsm(taps, z) - amount) / (1.0 - amount));
+      darkening = std::max(darkening, pcf(taps, z) - reduced);
+    }
+    EXPECT_NEAR(found["darkening"], darkening, 1e-9);
+    // The amount does what it says, whatever was set before.
+    const Json after =
+        probe(x, y, receiver,
+              {"--technique", "vsm", "--set", "vsm.bleed-reduction=" + found["amount"].dump()});
+    EXPECT_NEAR(after["techniques"][0]["error"], 0.0, 1e-9);
+    EXPECT_EQ(after["techniques"][0]["smallestReduction"], found);
+  }
 }
 
 TEST_F(ProbeDepth, AgreesWithAnIndependentEvaluation) {

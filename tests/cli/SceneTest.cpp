@@ -87,6 +87,30 @@ TEST(SceneCompare, PcfIsTheReferenceAndVsmOnlyBleeds) {
   EXPECT_GT(vsm["bleeding"], 100 * vsm["darkening"].get<double>());
 }
 
+TEST(SceneCompare, TheSmallestReductionLeavesNoLightInTheUmbra) {
+  const auto compare = [](const Arguments& more) {
+    return run(with(with({"compare", "--json", "--scene", "three-planes", "--technique", "vsm,pcf"},
+                         more),
+                    small))
+        .json()["techniques"];
+  };
+  const Json plain = compare({});
+  EXPECT_FALSE(plain[1].contains("smallestReduction"));
+  const Json found = plain[0]["smallestReduction"];
+  EXPECT_GT(plain[0]["umbraBleeding"], 0.01);
+  EXPECT_GT(found["amount"], 0.05);
+  EXPECT_TRUE(found["removesAll"]);
+  const Json reduced = compare({"--set", "vsm.bleed-reduction=" + found["amount"].dump()});
+  // The shader computes (p − a)/(1 − a) in 32 bits: a difference of two roundings of 2⁻²⁴,
+  // stretched.
+  const double rounding = std::ldexp(1.0, -22) / (1.0 - found["amount"].get<double>());
+  EXPECT_NEAR(reduced[0]["umbraBleeding"], 0.0, rounding);
+  EXPECT_NEAR(reduced[0]["darkening"], found["darkening"], rounding);
+  EXPECT_NEAR(-reduced[0]["min"].get<double>(), found["maxDarkening"], rounding);
+  // Whatever is set, the bound without reduction is what is measured.
+  EXPECT_EQ(reduced[0]["smallestReduction"], found);
+}
+
 TEST(SceneCompare, WritesAFolder) {
   const TemporaryFolder folder;
   const Outcome outcome = run(with(

@@ -61,7 +61,7 @@ TEST_F(FrameSettingsFormTest, SigmaIsAutomaticOrWithinTheKernelsRange) {
     if (box->value() == 2.5) sigma = box;
   ASSERT_NE(sigma, nullptr);
   for (const auto& [typed, taken] :
-       {std::pair(1e-200, Kernel::smallestSigma), std::pair(0.0, 0.0), std::pair(100.0, 100.0),
+       {std::pair(0.001, Kernel::smallestSigma), std::pair(0.0, 0.0), std::pair(100.0, 100.0),
         std::pair(1e9, Kernel::largestSigma)}) {
     sigma->setValue(typed);
     EXPECT_EQ(form.settings().kernel.sigma, taken) << typed;
