@@ -28,7 +28,7 @@ class OutputFolder {
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
-  // The path to write `name` to for now.
+  // The staging path to write `name` to; finish() moves it into the folder.
   std::filesystem::path file(const std::string& name);
   void finish();
 
