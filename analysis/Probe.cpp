@@ -12,28 +12,12 @@ namespace {
 TechniqueResult resultOf(std::shared_ptr<const Technique> technique, const ProbeRequest& request,
                          const Probe& probe) {
   TechniqueResult result;
-  result.channels = request.read.filter == ReadFilter::Bilinear
-                        ? readBilinear(request.map, *technique, request.kernel, request.format,
-                                       request.read.u, request.read.v)
-                        : prefilteredRegion(probe.region, *technique, request.format);
+  result.channels =
+      readChannels(request.map, *technique, request.kernel, request.format, request.read);
   result.visibility = technique->visibility({result.channels, probe.region}, probe.receiver);
   result.error = result.visibility - probe.reference;
   result.technique = std::move(technique);
   return result;
-}
-
-// The texel of `size` that holds u; the far edge belongs to the last one.
-int texelAt(double u, int size) {
-  return u == 1.0 ? size - 1 : int(std::floor(u * size));
-}
-
-Region regionOf(const ProbeRequest& request) {
-  const DepthMap& map = request.map;
-  const ReadPoint& read = request.read;
-  if (read.filter == ReadFilter::Bilinear)
-    return regionBilinear(map, request.kernel, read.u, read.v);
-  return regionAtTexel(map, request.kernel, texelAt(read.u, map.width()),
-                       texelAt(read.v, map.height()));
 }
 
 // The region's texels as (depth, weight), nearest to the light first.
@@ -80,13 +64,9 @@ Histogram binned(std::span<const double> values, std::span<const double> weights
 
 }  // namespace
 
-ReadPoint ReadPoint::atTexel(const DepthMap& map, int x, int y) {
-  return {ReadFilter::Point, (x + 0.5) / map.width(), (y + 0.5) / map.height()};
-}
-
 Probe takeProbe(const ProbeRequest& request) {
   Probe probe;
-  probe.region = regionOf(request);
+  probe.region = regionOf(request.map, request.kernel, request.read);
   probe.receiver = request.receiver;
   probe.statistics = statisticsOf(probe.region);
   probe.reference = referenceVisibility(probe.region, probe.receiver);

@@ -14,14 +14,6 @@
 
 namespace umbra {
 
-// Where the map is read: at a texel's centre, or bilinearly at (u, v) in [0,1], v down.
-struct ReadPoint {
-  ReadFilter filter = ReadFilter::Point;
-  double u = 0.0, v = 0.0;
-
-  static ReadPoint atTexel(const DepthMap& map, int x, int y);
-};
-
 struct ProbeRequest {
   const DepthMap& map;
   ReadPoint read;

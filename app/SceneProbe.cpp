@@ -53,7 +53,7 @@ SceneProbe probeScene(HeadlessFrame& frame, const Session& session,
   const SurfacePoint& surface = surfaces.front();
   const DepthMap& map = frame.depthMap();
   ProbeRequest request{.map = map,
-                       .read = {session.frame.read, surface.u, surface.v},
+                       .read = {session.frame.read.filter, surface.u, surface.v, {}},
                        .kernel = session.frame.kernel,
                        .format = session.frame.map.format,
                        .receiver = session.receiver.value_or(surface.receiver)};

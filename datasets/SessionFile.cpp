@@ -130,7 +130,7 @@ Camera cameraFrom(JsonObject& object) {
 Json frameJson(const FrameSettings& frame) {
   return {{"mapSize", frame.map.size},
           {"format", nameOf(frame.map.format)},
-          {"filter", nameOf(frame.read)},
+          {"filter", nameOf(frame.read.filter)},
           {"view", nameOf(frame.view)},
           {"kernel",
            {{"shape", nameOf(frame.kernel.shape)},
@@ -149,7 +149,7 @@ void readFrame(JsonObject& object, FrameSettings& frame) {
     frame.map.format = storageFormatFrom(name, where);
   });
   object.readName("filter", [&](const std::string& name, const std::string& where) {
-    frame.read = readFilterFrom(name, where);
+    frame.read.filter = readFilterFrom(name, where);
   });
   object.readName("view", [&](const std::string& name, const std::string& where) {
     frame.view = viewModeFrom(name, where);

@@ -31,7 +31,7 @@ Session unusualSession() {
   session.camera = Camera{{4, 5, 6}, {1, 0, 1}, {0, 0, 1}, 42.0};
   session.frame.map = {512, StorageFormat::Half};
   session.frame.kernel = {KernelShape::Gaussian, 7, 2.25};
-  session.frame.read = ReadFilter::Point;
+  session.frame.read.filter = ReadFilter::Point;
   session.frame.bias = {1e-3, 2.0, false, true};
   session.frame.view = ViewMode::Error;
   session.technique = "power-cdf";

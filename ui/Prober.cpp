@@ -157,7 +157,7 @@ ProbeReport Prober::probeAt(const Place& place) {
   ShadowRenderer& frame = *view_.lastFrame();
   const Session& session = controller_.session();
   const SurfacePoint& surface = place.surface;
-  const ReadPoint read{session.frame.read, surface.u, surface.v};
+  const ReadPoint read{session.frame.read.filter, surface.u, surface.v, {}};
   ProbeReport report = probe(frame.depthMap(), read, session.receiver.value_or(surface.receiver),
                              view_.mapRevision());
   report.pixel = place.pixel;

@@ -229,7 +229,7 @@ void SessionOptions::editMap(Session& session) const {
   if (mapSize_)
     frame.map.size =
         integerFrom(*mapSize_, "--map-size", MapSettings::smallest, MapSettings::largest);
-  if (filter_) frame.read = readFilterFrom(*filter_, "--filter");
+  if (filter_) frame.read.filter = readFilterFrom(*filter_, "--filter");
   if (format_) frame.map.format = storageFormatFrom(*format_, "--format");
 }
 

@@ -20,8 +20,8 @@ void writeAtomically(const fs::path& file, const std::function<void(const fs::pa
     throw Error(ErrorKind::BadOutput, file.string() + ": its folder cannot be made");
   if (fs::is_directory(file))
     throw Error(ErrorKind::BadOutput, file.string() + ": is a folder, not a file");
-  const fs::path temporary =
-      folder / ("." + file.stem().string() + "." + std::to_string(getpid()) + file.extension().string());
+  const fs::path temporary = folder / ("." + file.stem().string() + "." + std::to_string(getpid()) +
+                                       file.extension().string());
   try {
     write(temporary);
     fs::rename(temporary, file);

@@ -26,7 +26,9 @@ class Image {
   bool empty() const { return values_.empty(); }
 
   T& operator()(int x, int y, int channel = 0) { return values_[index(x, y) + channel]; }
-  const T& operator()(int x, int y, int channel = 0) const { return values_[index(x, y) + channel]; }
+  const T& operator()(int x, int y, int channel = 0) const {
+    return values_[index(x, y) + channel];
+  }
 
   // All channels of one pixel.
   std::span<T> pixel(int x, int y) { return {&values_[index(x, y)], std::size_t(channels_)}; }
@@ -52,7 +54,7 @@ class Image {
 };
 
 // Linear depth per texel, in [0,1] between the light's near and far plane; nearer is smaller and
-// a texel that saw no geometry holds 1. One channel.
+// a texel that saw no geometry holds 1. One channel for each sample of a texel.
 using DepthMap = Image<double>;
 
 }  // namespace umbra

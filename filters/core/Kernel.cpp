@@ -22,9 +22,12 @@ std::vector<double> Kernel::weights() const {
 
 std::string_view nameOf(KernelShape shape) {
   switch (shape) {
-    case KernelShape::None: return "none";
-    case KernelShape::Box: return "box";
-    case KernelShape::Gaussian: return "gaussian";
+    case KernelShape::None:
+      return "none";
+    case KernelShape::Box:
+      return "box";
+    case KernelShape::Gaussian:
+      return "gaussian";
   }
   return "";
 }

@@ -18,8 +18,9 @@ struct Light {
   static constexpr double largestIntensity = 1000.0;
 
   LightKind kind = LightKind::Directional;
-  Eigen::Vector3d position{0.0, 10.0, 0.0};  // world; a directional light shines from it to `target`
-  Eigen::Vector3d target{0.0, 0.0, 0.0};     // world
+  Eigen::Vector3d position{0.0, 10.0,
+                           0.0};          // world; a directional light shines from it to `target`
+  Eigen::Vector3d target{0.0, 0.0, 0.0};  // world
   double halfAngle = 30.0;  // degrees from the axis to the cone's edge, within the range above
   Eigen::Vector3d colour{1.0, 1.0, 1.0};  // linear RGB, each 0 … 1
   double intensity = 1.0;

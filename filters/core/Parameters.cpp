@@ -16,10 +16,9 @@ namespace {
     std::vector<std::string> names(parameter.choices.begin(), parameter.choices.end());
     right = "one of " + joined(names);
   } else {
-    right = std::holds_alternative<int>(parameter.defaultValue) ? "a whole number"
-            : std::holds_alternative<double>(parameter.defaultValue)
-                ? "a number"
-                : "numbers, separated by ':',";
+    right = std::holds_alternative<int>(parameter.defaultValue)      ? "a whole number"
+            : std::holds_alternative<double>(parameter.defaultValue) ? "a number"
+                                                                     : "numbers, separated by ':',";
     right += " from " + shortNumber(parameter.low) + " to " + shortNumber(parameter.high);
   }
   throw Error(ErrorKind::BadInput,
@@ -77,7 +76,9 @@ void Parameter::setFromText(std::string_view text, std::string_view where) const
   set(int(number), where);
 }
 
-std::string Parameter::text() const { return toText(get()); }
+std::string Parameter::text() const {
+  return toText(get());
+}
 
 std::string toText(const ParameterValue& value) {
   if (const auto* real = std::get_if<double>(&value)) {

@@ -136,4 +136,12 @@ std::vector<double> readBilinear(const DepthMap& map, const Technique& technique
   return mixed;
 }
 
+std::vector<double> readChannels(const DepthMap& map, const Technique& technique,
+                                 const Kernel& kernel, StorageFormat format,
+                                 const ReadPoint& read) {
+  if (read.filter == ReadFilter::Bilinear)
+    return readBilinear(map, technique, kernel, format, read.u, read.v);
+  return prefilteredRegion(regionOf(map, kernel, read), technique, format);
+}
+
 }  // namespace umbra

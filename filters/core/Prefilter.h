@@ -35,4 +35,10 @@ std::vector<double> prefilteredRegion(const Region& region, const Technique& tec
 std::vector<double> readBilinear(const DepthMap& map, const Technique& technique,
                                  const Kernel& kernel, StorageFormat format, double u, double v);
 
+// What any read of the technique's channels gives: averages as `regionOf` weighs them; minima and
+// maxima of a mip level are those of its texels, and mixed like other values. Throws BadCommandLine
+// where the read cannot average the technique's channels (see Composition.h).
+std::vector<double> readChannels(const DepthMap& map, const Technique& technique,
+                                 const Kernel& kernel, StorageFormat format, const ReadPoint& read);
+
 }  // namespace umbra

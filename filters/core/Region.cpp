@@ -20,7 +20,7 @@ void addTaps(Region& region, const DepthMap& map, int x0, int y0, const std::vec
       // A bilinear read at a texel's centre gives its outermost taps no weight at all.
       if (wx[i] * wy[j] == 0.0) continue;
       const int x = std::clamp(x0 + int(i), 0, map.width() - 1);
-      region.texels.push_back({x, y, map(x, y), wx[i] * wy[j]});
+      region.texels.push_back({x, y, map(x, y), wx[i] * wy[j], 0});
     }
   }
 }
@@ -33,6 +33,11 @@ std::vector<double> widened(const std::vector<double>& weights, double f) {
     wide[i + 1] += weights[i] * f;
   }
   return wide;
+}
+
+// The texel of `size` that holds u; the far edge belongs to the last one.
+int texelAt(double u, int size) {
+  return u == 1.0 ? size - 1 : int(std::floor(u * size));
 }
 
 }  // namespace
@@ -60,6 +65,15 @@ Region regionBilinear(const DepthMap& map, const Kernel& kernel, double u, doubl
   const int r = kernel.effectiveRadius();
   addTaps(region, map, x0 - r, y0 - r, widened(weights, px - x0), widened(weights, py - y0));
   return region;
+}
+
+ReadPoint ReadPoint::atTexel(const DepthMap& map, int x, int y) {
+  return {ReadFilter::Point, (x + 0.5) / map.width(), (y + 0.5) / map.height(), {}};
+}
+
+Region regionOf(const DepthMap& map, const Kernel& kernel, const ReadPoint& read) {
+  if (read.filter == ReadFilter::Bilinear) return regionBilinear(map, kernel, read.u, read.v);
+  return regionAtTexel(map, kernel, texelAt(read.u, map.width()), texelAt(read.v, map.height()));
 }
 
 RegionStatistics statisticsOf(const Region& region) {

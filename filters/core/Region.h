@@ -3,15 +3,36 @@
 
 #include <vector>
 
+#include "filters/core/FrameSettings.h"
 #include "filters/core/Image.h"
 #include "filters/core/Kernel.h"
 
 namespace umbra {
 
+// What one pixel of the picture covers of the map.
+struct Footprint {
+  // Texels. Trilinear, anisotropic: the footprint's longer axis. Summed-area table: the box's width
+  // and height.
+  double x = 0.0, y = 0.0;
+  int probes = 1;  // trilinear reads along the axis; 1 for a trilinear filter
+
+  bool operator==(const Footprint&) const = default;
+};
+
+// Where and how the channels of a map are read.
+struct ReadPoint {
+  ReadFilter filter = ReadFilter::Point;
+  double u = 0.0, v = 0.0;  // in [0,1] from the map's top-left corner, v down
+  Footprint footprint;
+
+  static ReadPoint atTexel(const DepthMap& map, int x, int y);
+};
+
 struct RegionTexel {
   int x = 0, y = 0;     // pixel in the depth map, after clamping to the border
   double depth = 0.0;   // [0,1]
   double weight = 0.0;  // the weights of a region sum to 1
+  int cascade = 0;      // of whose map it is a texel
 };
 
 struct Region {
@@ -29,6 +50,13 @@ Region regionAtTexel(const DepthMap& map, const Kernel& kernel, int x, int y);
 // The (2r+2)² taps of a bilinear read of the prefiltered map at (u, v), both in [0,1] from the
 // top-left corner: the kernel convolved with the bilinear weights.
 Region regionBilinear(const DepthMap& map, const Kernel& kernel, double u, double v);
+
+// The taps that `read` averages, with their weights. A point or bilinear read averages those of the
+// two functions above. A trilinear one mixes two mip levels, each read bilinearly; an anisotropic
+// one averages as many of these as the footprint has probes, along its axis. A summed-area table
+// averages a box of the footprint's size about (u, v), texels by the part of them inside; the
+// kernel is not applied beside. A map with several samples a texel gives as many taps a texel.
+Region regionOf(const DepthMap& map, const Kernel& kernel, const ReadPoint& read);
 
 struct RegionStatistics {
   double mean = 0.0;          // M1

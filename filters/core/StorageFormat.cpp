@@ -27,20 +27,24 @@ double toHalf(double value) {
   std::frexp(value, &exponent);  // |value| in [2^(e−1), 2^e)
   const double step = std::ldexp(1.0, std::max(exponent, -13) - 11);
   const double rounded = std::nearbyint(value / step) * step;
-  return std::abs(rounded) > 65504.0
-             ? std::copysign(std::numeric_limits<double>::infinity(), value)
-             : rounded;
+  return std::abs(rounded) > 65504.0 ? std::copysign(std::numeric_limits<double>::infinity(), value)
+                                     : rounded;
 }
 
 }  // namespace
 
 double stored(double value, StorageFormat format, double low, double high) {
   switch (format) {
-    case StorageFormat::Unorm8: return quantised(value, low, high, 255.0);
-    case StorageFormat::Unorm16: return quantised(value, low, high, 65535.0);
-    case StorageFormat::Half: return toHalf(value);
-    case StorageFormat::Float: return double(float(value));
-    case StorageFormat::Double: break;
+    case StorageFormat::Unorm8:
+      return quantised(value, low, high, 255.0);
+    case StorageFormat::Unorm16:
+      return quantised(value, low, high, 65535.0);
+    case StorageFormat::Half:
+      return toHalf(value);
+    case StorageFormat::Float:
+      return double(float(value));
+    case StorageFormat::Double:
+      break;
   }
   return value;
 }
@@ -48,21 +52,30 @@ double stored(double value, StorageFormat format, double low, double high) {
 double largestOf(StorageFormat format) {
   switch (format) {
     case StorageFormat::Unorm8:
-    case StorageFormat::Unorm16: return 1.0;
-    case StorageFormat::Half: return 65504.0;
-    case StorageFormat::Float: return std::numeric_limits<float>::max();
-    case StorageFormat::Double: break;
+    case StorageFormat::Unorm16:
+      return 1.0;
+    case StorageFormat::Half:
+      return 65504.0;
+    case StorageFormat::Float:
+      return std::numeric_limits<float>::max();
+    case StorageFormat::Double:
+      break;
   }
   return std::numeric_limits<double>::max();
 }
 
 double unitRoundoff(StorageFormat format) {
   switch (format) {
-    case StorageFormat::Unorm8: return 0.5 / 255.0;
-    case StorageFormat::Unorm16: return 0.5 / 65535.0;
-    case StorageFormat::Half: return std::ldexp(1.0, -11);
-    case StorageFormat::Float: return std::ldexp(1.0, -24);
-    case StorageFormat::Double: break;
+    case StorageFormat::Unorm8:
+      return 0.5 / 255.0;
+    case StorageFormat::Unorm16:
+      return 0.5 / 65535.0;
+    case StorageFormat::Half:
+      return std::ldexp(1.0, -11);
+    case StorageFormat::Float:
+      return std::ldexp(1.0, -24);
+    case StorageFormat::Double:
+      break;
   }
   return std::ldexp(1.0, -53);
 }
@@ -73,11 +86,16 @@ bool isNormalised(StorageFormat format) {
 
 std::string_view nameOf(StorageFormat format) {
   switch (format) {
-    case StorageFormat::Unorm8: return "unorm8";
-    case StorageFormat::Unorm16: return "unorm16";
-    case StorageFormat::Half: return "half";
-    case StorageFormat::Float: return "float";
-    case StorageFormat::Double: return "double";
+    case StorageFormat::Unorm8:
+      return "unorm8";
+    case StorageFormat::Unorm16:
+      return "unorm16";
+    case StorageFormat::Half:
+      return "half";
+    case StorageFormat::Float:
+      return "float";
+    case StorageFormat::Double:
+      return "double";
   }
   return "";
 }

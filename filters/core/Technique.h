@@ -13,6 +13,7 @@
 #include "filters/core/Parameters.h"
 #include "filters/core/Region.h"
 #include "filters/core/StorageFormat.h"
+#include "filters/core/Trace.h"
 
 namespace umbra {
 
@@ -80,6 +81,10 @@ class Technique {
   virtual void adapt(const DepthMap&) {}
   // Whether adapt() does anything with these parameters: the GPU reads its map back for it.
   virtual bool adapts() const { return false; }
+  // How many splits of the depth range follow the map's second occluders (Lauritzen 2008, §4.1.3):
+  // whoever has found them, adapt() or the GPU, gives them to setAdaptedSplits, ascending.
+  virtual int adaptedSplitCount() const { return 0; }
+  virtual void setAdaptedSplits(std::span<const double>) {}
   // Why channels cannot be stored in this format; empty where they can.
   virtual std::string refusal(StorageFormat) const { return {}; }
   // Clamps parameters to what the format can hold; returns one sentence for each that it changed.
@@ -89,6 +94,10 @@ class Technique {
   virtual void encode(double z, std::span<double> channels) const = 0;
   // In [0,1]; `receiver` is the biased depth of the shaded surface.
   virtual double visibility(const Fetch& fetch, double receiver) const = 0;
+
+  // The numeric chain that ends in visibility(), and the step that goes wrong, if any does: the
+  // last step's value is exactly what visibility() returns.
+  virtual Trace explain(const Fetch&, double) const { return {}; }
 
   virtual std::string_view glsl() const = 0;
   // Uniforms beyond one for each parameter, which the host sets by itself: parameter `a-b` is

@@ -10,9 +10,9 @@ namespace umbra {
 
 void TechniqueCatalogue::add(std::unique_ptr<Technique> technique) {
   const auto key = [](const auto& t) { return std::tuple(t->info().order, t->info().id); };
-  const auto place = std::upper_bound(
-      techniques_.begin(), techniques_.end(), technique,
-      [&](const auto& a, const auto& b) { return key(a) < key(b); });
+  const auto place =
+      std::upper_bound(techniques_.begin(), techniques_.end(), technique,
+                       [&](const auto& a, const auto& b) { return key(a) < key(b); });
   techniques_.insert(place, std::move(technique));
 }
 
@@ -35,10 +35,10 @@ std::unique_ptr<Technique> TechniqueCatalogue::make(std::string_view id,
     ids.emplace_back(technique->info().id);
   }
   const std::string nearest = nearestWord(id, ids);
-  throw Error(ErrorKind::BadCommandLine,
-              std::string(where) + ": there is no '" + std::string(id) + "'; " +
-                  (nearest.empty() ? "there are " + joined(ids)
-                                   : "did you mean '" + nearest + "'?"));
+  throw Error(
+      ErrorKind::BadCommandLine,
+      std::string(where) + ": there is no '" + std::string(id) + "'; " +
+          (nearest.empty() ? "there are " + joined(ids) : "did you mean '" + nearest + "'?"));
 }
 
 }  // namespace umbra

@@ -191,7 +191,7 @@ Image<float> ShadowRenderer::reference() {
   return gl::flipped(texture.width(), texture.height(), 1, reference);
 }
 
-const DepthMap& ShadowRenderer::depthMap() {
+const DepthMap& ShadowRenderer::depthMap(int) {
   implementation_->requireFrame();
   return implementation_->pass->GetDepthMap();
 }

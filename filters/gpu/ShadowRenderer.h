@@ -8,9 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "filters/core/Cascades.h"
 #include "filters/core/FrameSettings.h"
 #include "filters/core/Image.h"
 #include "filters/core/Light.h"
+#include "filters/core/Region.h"
 #include "filters/core/Scene.h"
 #include "filters/core/Technique.h"
 #include "filters/gpu/BakeStage.h"
@@ -22,11 +24,14 @@ namespace umbra {
 
 // What the shaded frame knows of one pixel.
 struct SurfacePoint {
-  double u = 0.0, v = 0.0;  // in the shadow map, [0,1] from the top-left corner, v down
+  double u = 0.0, v = 0.0;  // in its cascade's map, [0,1] from the top-left corner, v down
   double receiver = 0.0;    // z_r, biased, [0,1]
   double visibility = 1.0;  // as the GPU computed it
   bool facesLight = true;   // false: turned away from the light, which adds nothing there
   Eigen::Vector3d world{0.0, 0.0, 0.0};
+  Footprint footprint;  // in texels of its cascade's map, for the filters that have one
+  int cascade = 0;
+  double nextCascade = 0.0;  // weight of the next cascade in a seam, else 0
 };
 
 // GPU time of one pass of the last frame; passes that had nothing to do are absent.
@@ -53,7 +58,11 @@ class ShadowRenderer {
   Camera camera() const;
   // For interactors and for drawing over the scene; its actors from outside cast no shadow.
   vtkRenderer& renderer();
-  LightFrame lightFrame() const;
+  LightFrame lightFrame() const;  // of the whole light
+  // Of the last frame: one that is the whole light's frame, or one for each part of the view.
+  const std::vector<Cascade>& cascades() const;
+  // Samples a texel of the last bake; may be fewer than were asked for.
+  int samples() const;
 
   // Bakes what changed and draws. Throws NoOpenGL or WorkFailed.
   void render();
@@ -67,8 +76,8 @@ class ShadowRenderer {
   // Exact percentage-closer filtering of every pixel of the last frame over the region that the
   // frame's read averages; 1 where there is no surface. One channel.
   Image<float> reference();
-  // Read back once per bake.
-  const DepthMap& depthMap();
+  // Read back once per bake; of one cascade.
+  const DepthMap& depthMap(int cascade = 0);
   Image<float> channels(BakeStage stage);  // of the technique, interleaved in its order
 
   std::vector<PassTime> passTimes() const;

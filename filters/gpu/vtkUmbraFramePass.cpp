@@ -42,6 +42,8 @@ int viewNumber(ViewMode view, const Technique& technique) {
       return 2;
     case ViewMode::Depth:
       return 3;
+    case ViewMode::Cascades:
+      return 0;
   }
   return 0;
 }
@@ -244,7 +246,7 @@ void vtkUmbraFramePass::Show(vtkRenderer* renderer) {
   gl::setUniform(program, "umbraFullError", fullError);
   gl::setUniform(program, "umbraOrigin", left, bottom);
   gl::setUniform3(program, "umbraLayerColours", {layerColours[0].data(), 3 * layerColours.size()});
-  setReadUniforms(program, this->Settings.kernel, this->Settings.read);
+  setReadUniforms(program, this->Settings.kernel, this->Settings.read.filter);
   setTechniqueUniforms(program, *this->Adapted, this->Settings.map.format);
 
   if (!this->NoVertices) {
@@ -271,7 +273,7 @@ const DepthMap& vtkUmbraFramePass::GetDepthMap() {
 
 std::vector<float> vtkUmbraFramePass::EvaluateSurfaces() {
   return this->Baker.evaluate(this->Shading->GetSurfaces(), *this->Adapted, this->Settings.kernel,
-                              this->Settings.read);
+                              this->Settings.read.filter);
 }
 
 void vtkUmbraFramePass::ReleaseGraphicsResources(vtkWindow* window) {

@@ -179,7 +179,7 @@ bool vtkUmbraShadingPass::PostReplaceShaderValues(std::string&, std::string&,
 double vtkUmbraShadingPass::BiasTexels() const {
   // From the read's position to the farthest centre of its taps, along either axis.
   const double reach = this->Settings.kernel.effectiveRadius() +
-                       (this->Settings.read == ReadFilter::Bilinear ? 1.0 : 0.5);
+                       (this->Settings.read.filter == ReadFilter::Bilinear ? 1.0 : 0.5);
   return this->Settings.bias.slope + (this->Settings.bias.receiverPlane ? reach : 0.0);
 }
 
@@ -194,7 +194,7 @@ bool vtkUmbraShadingPass::SetShaderParameters(vtkShaderProgram* program, vtkAbst
   gl::setUniform(name, "umbraSlopeTexels", float(this->BiasTexels()));
   setLightUniforms(name, this->Frame);
   setTechniqueUniforms(name, *this->Shaded, this->Settings.map.format);
-  setReadUniforms(name, this->Settings.kernel, this->Settings.read);
+  setReadUniforms(name, this->Settings.kernel, this->Settings.read.filter);
   return true;
 }
 

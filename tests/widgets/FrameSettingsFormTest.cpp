@@ -79,7 +79,7 @@ TEST_F(FrameSettingsFormTest, EveryBoxNamesItsChange) {
   }
   const FrameSettings& last = changes.back().first;
   EXPECT_EQ(last.kernel.shape, KernelShape::None);
-  EXPECT_EQ(last.read, ReadFilter::Point);
+  EXPECT_EQ(last.read.filter, ReadFilter::Point);
   EXPECT_EQ(last.map.size, 512);
   EXPECT_EQ(last.map.format, StorageFormat::Half);
 }

@@ -114,7 +114,7 @@ void WindowTest::theTableAgreesWithTheAnalysis() {
     const FrameSettings& frame = window.controller().session().frame;
     const DepthMap map = window.view().lastFrame()->depthMap();
     ProbeRequest request{map,
-                         {frame.read, surface->u, surface->v},
+                         {frame.read.filter, surface->u, surface->v, {}},
                          frame.kernel,
                          frame.map.format,
                          surface->receiver,

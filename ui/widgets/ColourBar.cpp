@@ -44,6 +44,7 @@ void ColourBar::setViewMode(ViewMode mode) {
       break;
     case ViewMode::Shaded:
     case ViewMode::Layers:
+    case ViewMode::Cascades:
       setVisible(false);
       return;
   }

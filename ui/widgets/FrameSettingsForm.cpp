@@ -133,7 +133,7 @@ void FrameSettingsForm::connectControls() {
     });
   };
   chosen(c.kernel, "kernel", [](FrameSettings& s, int v) { s.kernel.shape = KernelShape(v); });
-  chosen(c.read, "read", [](FrameSettings& s, int v) { s.read = ReadFilter(v); });
+  chosen(c.read, "read", [](FrameSettings& s, int v) { s.read.filter = ReadFilter(v); });
   chosen(c.size, "map size", [](FrameSettings& s, int v) { s.map.size = v; });
   chosen(c.format, "format", [](FrameSettings& s, int v) { s.map.format = StorageFormat(v); });
 
@@ -178,7 +178,7 @@ FrameSettings FrameSettingsForm::settings() const {
 void FrameSettingsForm::showSettings() {
   Controls& c = *controls_;
   select(c.kernel, int(shown_.kernel.shape), {});
-  select(c.read, int(shown_.read), {});
+  select(c.read, int(shown_.read.filter), {});
   select(c.size, shown_.map.size, squared(shown_.map.size));
   select(c.format, int(shown_.map.format), style::text(nameOf(shown_.map.format)));
   c.radius->setValue(shown_.kernel.radius);

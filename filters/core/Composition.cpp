@@ -1,0 +1,36 @@
+#include "filters/core/Composition.h"
+
+#include <algorithm>
+
+namespace umbra {
+namespace {
+
+std::string whyNotSummed(const FrameSettings& frame, const Technique& technique) {
+  if (frame.kernel.shape == KernelShape::Gaussian)
+    return "filter sat: a summed-area table averages boxes, not a Gaussian; take the box kernel";
+  if (!technique.info().prefilterable) return {};  // reads the box's own texels
+  const std::string id(technique.info().id);
+  const std::vector<Channel> channels = technique.channels();
+  const bool onlyMeans = std::all_of(channels.begin(), channels.end(), [](const Channel& channel) {
+    return channel.reduction == Reduction::Mean;
+  });
+  if (!onlyMeans)
+    return "filter sat: a table of sums has no minima and maxima, which " + id +
+           " needs; take trilinear or anisotropic";
+  if (frame.read.satPrecision == SatPrecision::Integer &&
+      !technique.refusal(StorageFormat::Unorm16).empty())
+    return "sat-precision integer: the channels of " + id +
+           " do not fit a fixed-point range; take centred";
+  return {};
+}
+
+}  // namespace
+
+std::string whyImpossible(const FrameSettings& frame, const Technique& technique) {
+  const std::string refusal = technique.refusal(frame.map.format);
+  if (!refusal.empty()) return refusal;
+  return frame.read.filter == ReadFilter::SummedArea ? whyNotSummed(frame, technique)
+                                                     : std::string();
+}
+
+}  // namespace umbra

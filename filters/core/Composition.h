@@ -1,0 +1,15 @@
+// Which settings of a frame a technique cannot be composed with, and why.
+#pragma once
+
+#include <string>
+
+#include "filters/core/FrameSettings.h"
+#include "filters/core/Technique.h"
+
+namespace umbra {
+
+// Why `technique` cannot be drawn with this storage format, kernel and read; empty where it can.
+// One sentence that names the setting and says what would go.
+std::string whyImpossible(const FrameSettings& frame, const Technique& technique);
+
+}  // namespace umbra
