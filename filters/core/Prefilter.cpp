@@ -13,6 +13,21 @@ double storedIn(const Channel& channel, double value, StorageFormat format) {
   return stored(value, format, channel.low, channel.high);
 }
 
+// Several values of one channel become one, without rounding.
+void gather(const Channel& channel, double& sum, double value, bool first) {
+  switch (channel.reduction) {
+    case Reduction::Mean:
+      sum = first ? value : sum + value;
+      break;
+    case Reduction::Min:
+      sum = first ? value : std::min(sum, value);
+      break;
+    case Reduction::Max:
+      sum = first ? value : std::max(sum, value);
+      break;
+  }
+}
+
 // One line of texels, reduced in place.
 void reduceLine(std::vector<double>& line, Reduction reduction, const Kernel& kernel,
                 const std::vector<double>& weights) {
@@ -35,11 +50,25 @@ void reduceLine(std::vector<double>& line, Reduction reduction, const Kernel& ke
 
 }  // namespace
 
+void encodeTexel(std::span<const double> samples, const Technique& technique,
+                 std::span<const Channel> layout, std::span<double> encoded) {
+  technique.encode(samples[0], encoded);
+  if (samples.size() == 1) return;
+  std::vector<double> sample(layout.size());
+  for (std::size_t s = 1; s < samples.size(); ++s) {
+    technique.encode(samples[s], sample);
+    for (std::size_t c = 0; c < layout.size(); ++c) gather(layout[c], encoded[c], sample[c], false);
+  }
+  for (std::size_t c = 0; c < layout.size(); ++c)
+    if (layout[c].reduction == Reduction::Mean) encoded[c] /= double(samples.size());
+}
+
 Image<double> encodeMap(const DepthMap& map, const Technique& technique, StorageFormat format) {
   const std::vector<Channel> layout = technique.channels();
   Image<double> channels(map.width(), map.height(), int(layout.size()));
   for (int y = 0; y < map.height(); ++y)
-    for (int x = 0; x < map.width(); ++x) technique.encode(map(x, y), channels.pixel(x, y));
+    for (int x = 0; x < map.width(); ++x)
+      encodeTexel(map.pixel(x, y), technique, layout, channels.pixel(x, y));
   storeMap(channels, layout, format);
   return channels;
 }
@@ -90,58 +119,25 @@ std::vector<double> prefilteredRegion(const Region& region, const Technique& tec
   // A four-moment bound divides by differences of these sums that are 10⁻⁷ of them: plain sums
   // would leave it nine digits.
   std::vector<long double> sums(layout.size(), 0.0L);
-  bool first = true;
-  for (const RegionTexel& tap : region.texels) {
-    technique.encode(tap.depth, texel);
+  std::vector<double> depths(region.samples);
+  for (std::size_t i = 0; i < region.texels.size(); i += depths.size()) {
+    for (std::size_t sample = 0; sample < depths.size(); ++sample)
+      depths[sample] = region.texels[i + sample].depth;
+    const double weight = region.texels[i].weight * double(depths.size());
+    encodeTexel(depths, technique, layout, texel);
     for (std::size_t c = 0; c < layout.size(); ++c) {
       const double value = storedIn(layout[c], texel[c], format);
-      switch (layout[c].reduction) {
-        case Reduction::Mean:
-          sums[c] += static_cast<long double>(tap.weight) * value;
-          break;
-        case Reduction::Min:
-          reduced[c] = first ? value : std::min(reduced[c], value);
-          break;
-        case Reduction::Max:
-          reduced[c] = first ? value : std::max(reduced[c], value);
-          break;
-      }
+      if (layout[c].reduction == Reduction::Mean)
+        sums[c] += static_cast<long double>(weight) * value;
+      else
+        gather(layout[c], reduced[c], value, i == 0);
     }
-    first = false;
   }
   for (std::size_t c = 0; c < layout.size(); ++c) {
     if (layout[c].reduction == Reduction::Mean) reduced[c] = double(sums[c]);
     reduced[c] = storedIn(layout[c], reduced[c], format);
   }
   return reduced;
-}
-
-std::vector<double> readBilinear(const DepthMap& map, const Technique& technique,
-                                 const Kernel& kernel, StorageFormat format, double u, double v) {
-  // Texel centres sit at half-integers.
-  const double px = u * map.width() - 0.5, py = v * map.height() - 0.5;
-  const double fx = px - std::floor(px), fy = py - std::floor(py);
-  std::vector<double> mixed;
-  for (int j = 0; j < 2; ++j) {
-    for (int i = 0; i < 2; ++i) {
-      const int x = std::clamp(int(std::floor(px)) + i, 0, map.width() - 1);
-      const int y = std::clamp(int(std::floor(py)) + j, 0, map.height() - 1);
-      const double weight = (i ? fx : 1.0 - fx) * (j ? fy : 1.0 - fy);
-      const std::vector<double> texel =
-          prefilteredRegion(regionAtTexel(map, kernel, x, y), technique, format);
-      mixed.resize(texel.size(), 0.0);
-      for (std::size_t c = 0; c < texel.size(); ++c) mixed[c] += weight * texel[c];
-    }
-  }
-  return mixed;
-}
-
-std::vector<double> readChannels(const DepthMap& map, const Technique& technique,
-                                 const Kernel& kernel, StorageFormat format,
-                                 const ReadPoint& read) {
-  if (read.filter == ReadFilter::Bilinear)
-    return readBilinear(map, technique, kernel, format, read.u, read.v);
-  return prefilteredRegion(regionOf(map, kernel, read), technique, format);
 }
 
 }  // namespace umbra

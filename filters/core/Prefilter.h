@@ -10,7 +10,8 @@
 
 namespace umbra {
 
-// Every texel through Technique::encode, rounded to `format`. As many channels as the technique.
+// Every texel through Technique::encode, rounded to `format`. As many channels as the technique. Of
+// several samples of a texel the encodings' means, minima or maxima, as the channel is reduced.
 Image<double> encodeMap(const DepthMap& map, const Technique& technique, StorageFormat format);
 
 // Each channel reduced over the kernel's window, edge texels repeated. Means are weighted by the
@@ -36,7 +37,9 @@ std::vector<double> readBilinear(const DepthMap& map, const Technique& technique
                                  const Kernel& kernel, StorageFormat format, double u, double v);
 
 // What any read of the technique's channels gives: averages as `regionOf` weighs them; minima and
-// maxima of a mip level are those of its texels, and mixed like other values. Throws BadCommandLine
+// maxima of a mip level are those of its texels, and mixed like other values. Every mip level is
+// rounded to `format` and made from the one below; what is mixed, or read from a table, is not
+// rounded again. Throws BadCommandLine
 // where the read cannot average the technique's channels (see Composition.h).
 std::vector<double> readChannels(const DepthMap& map, const Technique& technique,
                                  const Kernel& kernel, StorageFormat format, const ReadPoint& read);

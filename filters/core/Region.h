@@ -40,7 +40,9 @@ struct Region {
   Kernel kernel;
   // Row by row. A tap beyond the border repeats the edge texel, so one pixel may occur twice.
   std::vector<RegionTexel> texels;
-  double nearestDepth = 1.0;  // the depth at (x, y)
+  double nearestDepth = 1.0;  // the depth at (x, y), of its first sample
+  // Taps of one texel stand together, this many: one for each sample, of equal weight.
+  int samples = 1;
 };
 
 // The (2r+1)² taps around texel (x, y): what a point read of the prefiltered map averages.
@@ -52,10 +54,11 @@ Region regionAtTexel(const DepthMap& map, const Kernel& kernel, int x, int y);
 Region regionBilinear(const DepthMap& map, const Kernel& kernel, double u, double v);
 
 // The taps that `read` averages, with their weights. A point or bilinear read averages those of the
-// two functions above. A trilinear one mixes two mip levels, each read bilinearly; an anisotropic
-// one averages as many of these as the footprint has probes, along its axis. A summed-area table
-// averages a box of the footprint's size about (u, v), texels by the part of them inside; the
-// kernel is not applied beside. A map with several samples a texel gives as many taps a texel.
+// two functions above. A trilinear one mixes two mip levels, each read bilinearly (MipLevels.h); an
+// anisotropic one averages as many of these as the footprint has probes, along its axis: each texel
+// of the map occurs once. A summed-area table averages a box of the footprint's size about (u, v),
+// one texel or wider, texels by the part of them inside; the kernel is not applied beside. A map
+// with several samples a texel gives as many taps a texel. (u, v) is in [0,1].
 Region regionOf(const DepthMap& map, const Kernel& kernel, const ReadPoint& read);
 
 struct RegionStatistics {
