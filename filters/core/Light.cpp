@@ -77,7 +77,8 @@ Vector3d LightFrame::unproject(double u, double v, double z) const {
     light = {(clipX - lightToClip(0, 3)) / lightToClip(0, 0),
              (clipY - lightToClip(1, 3)) / lightToClip(1, 1), -d};
   } else {
-    const Vector3d ray(clipX / lightToClip(0, 0), clipY / lightToClip(1, 1), -1.0);
+    const Vector3d ray((clipX + lightToClip(0, 2)) / lightToClip(0, 0),
+                       (clipY + lightToClip(1, 2)) / lightToClip(1, 1), -1.0);
     light = d * ray.normalized();
   }
   return (worldToLight.inverse() * light.homogeneous()).head<3>();
