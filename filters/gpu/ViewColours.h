@@ -28,6 +28,10 @@ inline constexpr std::array<ViewColour, 8> layerColours{{{0.99f, 0.86f, 0.55f},
                                                          {0.48f, 0.60f, 0.72f},
                                                          {0.90f, 0.74f, 0.80f}}};
 
+// Of cascades, from the camera outwards.
+inline constexpr std::array<ViewColour, 4> cascadeColours{
+    {{0.98f, 0.80f, 0.36f}, {0.47f, 0.76f, 0.52f}, {0.42f, 0.63f, 0.87f}, {0.74f, 0.55f, 0.82f}}};
+
 inline ViewColour errorColour(double error) {
   const ViewColour& end = error > 0.0 ? bleedingColour : darkeningColour;
   const float share = float(std::min(std::abs(error) / fullError, 1.0));
