@@ -17,8 +17,8 @@ int whole(int low, int high) {
   return *rc::gen::inRange(low, high + 1);
 }
 
-DepthMap drawnMap() {
-  DepthMap map(whole(1, 9), whole(1, 9), 1, 1.0);
+DepthMap drawnMap(int largestSide, int samples) {
+  DepthMap map(whole(1, largestSide), whole(1, largestSide), samples, 1.0);
   const std::vector<double> planes{unit(), unit(), unit()};
   const int kind = whole(0, 4);
   const double base = unit(), slope = between(-0.05, 0.05);
@@ -29,7 +29,11 @@ DepthMap drawnMap() {
       if (kind == 1) depth = planes[whole(0, 2)];
       if (kind == 3) depth = x > y ? std::clamp(base + slope * (x + 2 * y), 0.0, 1.0) : planes[0];
       if (kind == 4) depth = whole(0, 1) ? 1.0 : planes[0];
-      map(x, y) = depth;
+      for (double& sample : map.pixel(x, y)) {
+        sample = depth;
+        if (kind == 0) depth = unit();
+        if (kind == 1) depth = planes[whole(0, 2)];
+      }
     }
   }
   return map;
@@ -72,15 +76,40 @@ double between(double low, double high) {
 
 Place place() {
   Place drawn;
-  drawn.map = drawnMap();
-  drawn.kernel.shape =
-      *rc::gen::element(KernelShape::None, KernelShape::Box, KernelShape::Gaussian);
-  drawn.kernel.radius = whole(0, 6);
-  drawn.kernel.sigma = whole(0, 1) ? 0.0 : between(0.25, 4.0);
+  drawn.map = drawnMap(9, 1);
+  drawn.kernel = kernel();
   drawn.region = whole(0, 1)
                      ? regionAtTexel(drawn.map, drawn.kernel, whole(0, drawn.map.width() - 1),
                                      whole(0, drawn.map.height() - 1))
                      : regionBilinear(drawn.map, drawn.kernel, unit(), unit());
+  return drawn;
+}
+
+DepthMap map(int mostSamples) {
+  int samples = 1;
+  while (2 * samples <= mostSamples && whole(0, 1)) samples *= 2;
+  return drawnMap(12, samples);
+}
+
+Kernel kernel() {
+  Kernel drawn;
+  drawn.shape = *rc::gen::element(KernelShape::None, KernelShape::Box, KernelShape::Gaussian);
+  drawn.radius = whole(0, 6);
+  drawn.sigma = whole(0, 1) ? 0.0 : between(0.25, 4.0);
+  return drawn;
+}
+
+ReadPoint read(const DepthMap& map, ReadFilter filter) {
+  ReadPoint drawn{filter, unit(), unit(), {}};
+  if (filter == ReadFilter::Bilinear) {
+    drawn.u = (0.5 + drawn.u * (map.width() - 1)) / map.width();
+    drawn.v = (0.5 + drawn.v * (map.height() - 1)) / map.height();
+  }
+  if (filter == ReadFilter::Trilinear || filter == ReadFilter::Anisotropic)
+    drawn.footprint = {between(-20.0, 20.0), between(-20.0, 20.0), 1};
+  if (filter == ReadFilter::Anisotropic) drawn.footprint.probes = whole(1, 16);
+  if (filter == ReadFilter::SummedArea)
+    drawn.footprint = {between(1.0, 20.0), between(1.0, 20.0), 1};
   return drawn;
 }
 

@@ -24,6 +24,13 @@ struct Place {
 };
 Place place();
 
+// 1 to 12 texels a side, of 1, 2, 4 or 8 samples, at most `mostSamples`.
+DepthMap map(int mostSamples);
+Kernel kernel();
+// Anywhere on the map, with a footprint that goes with the filter; a bilinear read between texel
+// centres, where its region is that of its channels.
+ReadPoint read(const DepthMap& map, ReadFilter filter);
+
 // Anywhere, or at or just beside one of the region's depths.
 double receiverFor(const Region& region);
 
