@@ -30,8 +30,19 @@ std::string_view nameOf(ErrorCause cause) {
       return "light-bleeding reduction";
     case ErrorCause::Sampling:
       return "sampling";
+    case ErrorCause::Misfit:
+      return "misfit";
+    case ErrorCause::Wrapping:
+      return "wrapping of the series";
   }
   return "";
+}
+
+TraceRecorder TraceRecorder::numbered(int number) const {
+  static constexpr std::string_view digits[] = {"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
+  std::string text;
+  for (char digit : std::to_string(number)) text += digits[digit - '0'];
+  return withSuffix(text);
 }
 
 }  // namespace umbra

@@ -30,15 +30,63 @@ enum class ErrorCause {
   BoundSlack,         // a bound that the depths do not reach
   Reduction,          // light-bleeding reduction darkens what was right
   Sampling,           // too few taps
+  Misfit,             // depths that are not distributed as the technique assumes
+  Wrapping,           // a series that repeats within the depth range
+};
+
+// An error below this is none that anybody sees.
+inline constexpr double smallestError = 0.02;
+
+// What one cause does to the visibility: positive brightens. The shares of a trace sum to its
+// error.
+struct ErrorShare {
+  ErrorCause cause = ErrorCause::None;
+  int step = 0;  // index of the step that does it
+  double amount = 0.0;
 };
 
 struct Trace {
   std::vector<TraceStep> steps;
+  std::vector<ErrorShare> shares;
   ErrorCause cause = ErrorCause::None;
   std::optional<int> culprit;  // index into `steps` of the step that goes wrong
   std::string sentence;        // the cause with this region's numbers, for a person
 };
 
 std::string_view nameOf(ErrorCause cause);
+
+// Takes the steps of an evaluation and gives each value back, so that one function computes a
+// visibility and explains it.
+class TraceRecorder {
+ public:
+  // Keeps `trace`, which must outlive it. `suffix` is appended to every symbol; that of a numbered
+  // one, for layers and terms, is like "₁₂".
+  explicit TraceRecorder(Trace& trace, std::string suffix = {})
+      : trace_(&trace), suffix_(std::move(suffix)) {}
+
+  double operator()(std::string_view symbol, std::string_view meaning, std::string_view formula,
+                    double value) const {
+    trace_->steps.push_back(
+        {std::string(symbol) + suffix_, std::string(meaning), std::string(formula), value});
+    return value;
+  }
+  TraceRecorder withSuffix(std::string suffix) const {
+    return TraceRecorder(*trace_, std::move(suffix));
+  }
+  TraceRecorder numbered(int number) const;
+
+ private:
+  Trace* trace_;
+  std::string suffix_;
+};
+
+// The same where nobody asks: it keeps nothing and costs nothing.
+struct Unrecorded {
+  double operator()(std::string_view, std::string_view, std::string_view, double value) const {
+    return value;
+  }
+  Unrecorded withSuffix(std::string_view) const { return {}; }
+  Unrecorded numbered(int) const { return {}; }
+};
 
 }  // namespace umbra

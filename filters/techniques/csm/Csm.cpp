@@ -1,12 +1,12 @@
 #include "filters/techniques/csm/Csm.h"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "Csm_glsl.h"
 #include "Csm_md.h"
 #include "filters/core/TechniqueCatalogue.h"
+#include "filters/techniques/csm/CsmSum.h"
 
 namespace umbra::csm {
 
@@ -57,15 +57,7 @@ void Csm::encode(double z, std::span<double> channels) const {
 }
 
 double Csm::visibility(const Fetch& fetch, double receiver) const {
-  const FourierSeries fourier = series();
-  const double d = values.mode == Mode::Offset ? receiver - fourier.offset() : receiver;
-  double sum = 0.5;
-  for (int k = 1; k <= values.terms; ++k) {  // eq. 13
-    const double c = frequency(k);
-    sum += fourier.coefficient(k) * (std::cos(c * d) * fetch.channels[2 * k - 2] -
-                                     std::sin(c * d) * fetch.channels[2 * k - 1]);
-  }
-  return std::clamp(values.mode == Mode::Scale ? 2.0 * sum : sum, 0.0, 1.0);
+  return sumOfTerms(*this, series(), fetch.channels, receiver, Unrecorded());
 }
 
 std::string_view Csm::glsl() const {

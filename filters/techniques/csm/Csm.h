@@ -39,6 +39,7 @@ class Csm final : public TechniqueWith<Csm, CsmParameters> {
   std::vector<Channel> channels() const override;
   void encode(double z, std::span<double> channels) const override;
   double visibility(const Fetch& fetch, double receiver) const override;
+  Trace explain(const Fetch& fetch, double receiver) const override;
   std::string_view glsl() const override;
   std::vector<Uniform> derivedUniforms() const override;
   std::string_view page() const override;

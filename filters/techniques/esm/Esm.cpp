@@ -5,11 +5,69 @@
 
 #include "Esm_glsl.h"
 #include "Esm_md.h"
+#include "filters/core/ErrorShares.h"
 #include "filters/core/TechniqueCatalogue.h"
 #include "filters/techniques/evsm/ExponentLimit.h"
 #include "filters/techniques/vsm/Chebyshev.h"
 
 namespace umbra::esm {
+
+template <class Record>
+double Esm::visibilityOf(double mean, double receiver, const Record& record) const {
+  record("z_r", "receiver's depth, biased", "", receiver);
+  record("c", "exponent", "", values.exponent);
+  record("E", "mean of e^(c(z − ½)) over the region", "", mean);
+  const double own = record("e_r", "the receiver's own factor", "e^(−c(z_r − ½))",
+                            std::exp(-values.exponent * (receiver - 0.5)));
+  const double ratio =
+      record("E · e_r", "mean of e^(c(z − z_r)): Markov's upper bound", "E · e_r", mean * own);
+  const double bound =
+      record("p_max", "the bound, cut at 1", "min(1, E · e_r)", std::min(1.0, ratio));
+  record("a", "light-bleeding reduction", "", values.bleedReduction);
+  return record("v", "visibility", "clamp((p_max − a)/(1 − a), 0, 1)",
+                reduceLightBleeding(bound, values.bleedReduction));
+}
+
+Trace Esm::explain(const Fetch& fetch, double receiver) const {
+  Trace trace;
+  visibilityOf(fetch.channels[0], receiver, TraceRecorder(trace));
+  ErrorShares shares(trace, fetch, receiver);
+  // What the depths on either side contribute to the exact mean, with any exponent.
+  const auto part = [&](bool lit, double c) {
+    double sum = 0.0;
+    for (const RegionTexel& texel : fetch.region.texels)
+      if ((texel.depth >= receiver) == lit)
+        sum += texel.weight * std::exp(c * (texel.depth - receiver));
+    return sum;
+  };
+  const double ratio = trace.steps[4].value;
+  shares.without(ErrorCause::Reduction, "v", std::min(1.0, ratio),
+                 "the light-bleeding reduction takes a part of every penumbra; the bound itself "
+                 "is " +
+                     shortNumber(std::min(1.0, ratio)) + ".");
+  const double c = values.exponent;
+  const double exact = std::min(1.0, part(true, c) + part(false, c));
+  shares.without(ErrorCause::StoredPrecision, "E", exact,
+                 "the stored mean is rounded, by a share of itself; from an exact one v would "
+                 "be " +
+                     shortNumber(exact) + ".");
+  const double asked = cut_.asked(c);
+  const double steep = std::min(1.0, part(true, asked) + part(false, asked));
+  shares.without(ErrorCause::ExponentLimit, "c", steep, exponentLimitText("c", c, asked, steep));
+  const double far = std::min(1.0, part(true, asked));
+  shares.without(ErrorCause::ContactLeak, "E · e_r", far,
+                 "the receiver is only " + shortNumber(receiver - shares.occlusion().blocking.max) +
+                     " behind the occluders' last depth, not many times 1/c = " +
+                     shortNumber(1.0 / asked) + " in which the exponential falls off: they count " +
+                     shortNumber(part(false, asked)) + " instead of 0.");
+  shares.rest(
+      ErrorCause::BoundSlack, "E · e_r",
+      "depths behind the receiver, at " + rangeText(shares.occlusion().lit) +
+          ", should count once each and count e^(c(z − z_r)): " + shortNumber(part(true, asked)) +
+          " in all, where " + shortNumber(shares.reference()) + " would be right.");
+  shares.decide("what is lit lies at the receiver's depth, and the occluders are far before it.");
+  return trace;
+}
 
 const TechniqueInfo& Esm::info() const {
   static constexpr TechniqueInfo info{
@@ -31,8 +89,7 @@ std::string Esm::refusal(StorageFormat format) const {
 std::vector<std::string> Esm::limitTo(StorageFormat format) {
   std::vector<std::string> notes;
   // The exponential itself is stored, not its square.
-  limitExponent(values.exponent, 2.0 * largestSquaredExponent(format), "esm.exponent", format,
-                notes);
+  cut_.limit(values.exponent, 2.0 * largestSquaredExponent(format), "esm.exponent", format, notes);
   return notes;
 }
 
@@ -42,8 +99,7 @@ void Esm::encode(double z, std::span<double> channels) const {
 }
 
 double Esm::visibility(const Fetch& fetch, double receiver) const {
-  const double ratio = fetch.channels[0] * std::exp(-values.exponent * (receiver - 0.5));
-  return reduceLightBleeding(std::min(1.0, ratio), values.bleedReduction);
+  return visibilityOf(fetch.channels[0], receiver, Unrecorded());
 }
 
 std::string_view Esm::glsl() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "filters/core/Technique.h"
+#include "filters/techniques/evsm/ExponentLimit.h"
 
 namespace umbra::esm {
 
@@ -30,8 +31,15 @@ class Esm final : public TechniqueWith<Esm, EsmParameters> {
   std::vector<std::string> limitTo(StorageFormat format) override;
   void encode(double z, std::span<double> channels) const override;
   double visibility(const Fetch& fetch, double receiver) const override;
+  Trace explain(const Fetch& fetch, double receiver) const override;
   std::string_view glsl() const override;
   std::string_view page() const override;
+
+ private:
+  template <class Record>
+  double visibilityOf(double mean, double receiver, const Record& record) const;
+
+  CutExponent cut_;
 };
 
 }  // namespace umbra::esm

@@ -1,37 +1,21 @@
 #include "filters/techniques/evsm/Evsm.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "Evsm_glsl.h"
 #include "Evsm_md.h"
 #include "filters/core/TechniqueCatalogue.h"
 #include "filters/techniques/evsm/ExponentLimit.h"
-#include "filters/techniques/vsm/Chebyshev.h"
+#include "filters/techniques/evsm/Warps.h"
 
 namespace umbra::evsm {
 namespace {
 
-// A warp and its steepness in one number: e^{c(z−½)} for c > 0, −e^{c(z−½)} for c < 0. Both rise
-// with z. The shift by ½ is a factor, to which the Chebyshev bound is indifferent.
-double warped(double z, double c) {
-  return std::copysign(std::exp(c * (z - 0.5)), c);
+WarpSettings settingsOf(const Evsm2Parameters& values) {
+  return {values.positiveExponent, 0.0, values.minVariance, values.bleedReduction};
 }
 
-// The moments of one warp, as they are stored.
-void encodeWarp(double z, double c, double& first, double& second) {
-  first = warped(z, c);
-  second = first * first;
-}
-
-double boundOfWarp(double m1, double m2, double c, double receiver, double minVariance,
-                   double bleedReduction) {
-  const double t = warped(receiver, c);
-  if (t <= m1) return 1.0;
-  // A depth interval at the receiver is longer by the warp's slope there, dg/dz = c·g.
-  const double slope = c * t;
-  const double bound = chebyshevUpperBound(m1, m2, t, minVariance * slope * slope);
-  return reduceLightBleeding(bound, bleedReduction);
+WarpSettings settingsOf(const Evsm4Parameters& values) {
+  return {values.positiveExponent, values.negativeExponent, values.minVariance,
+          values.bleedReduction};
 }
 
 }  // namespace
@@ -55,8 +39,8 @@ std::string Evsm2::refusal(StorageFormat format) const {
 
 std::vector<std::string> Evsm2::limitTo(StorageFormat format) {
   std::vector<std::string> notes;
-  limitExponent(values.positiveExponent, largestSquaredExponent(format), "evsm2.positive-exponent",
-                format, notes);
+  cut_.limit(values.positiveExponent, largestSquaredExponent(format), "evsm2.positive-exponent",
+             format, notes);
   return notes;
 }
 
@@ -65,8 +49,14 @@ void Evsm2::encode(double z, std::span<double> channels) const {
 }
 
 double Evsm2::visibility(const Fetch& fetch, double receiver) const {
-  return boundOfWarp(fetch.channels[0], fetch.channels[1], values.positiveExponent, receiver,
-                     values.minVariance, values.bleedReduction);
+  return visibilityOf(fetch.channels, settingsOf(values), receiver, Unrecorded());
+}
+
+Trace Evsm2::explain(const Fetch& fetch, double receiver) const {
+  Evsm2 steeper = *this;
+  steeper.values.positiveExponent = cut_.asked(values.positiveExponent);
+  return explainWarps(*this, settingsOf(values), steeper, settingsOf(steeper.values), fetch,
+                      receiver);
 }
 
 std::string_view Evsm2::glsl() const {
@@ -96,8 +86,8 @@ std::string Evsm4::refusal(StorageFormat format) const {
 std::vector<std::string> Evsm4::limitTo(StorageFormat format) {
   std::vector<std::string> notes;
   const double largest = largestSquaredExponent(format);
-  limitExponent(values.positiveExponent, largest, "evsm4.positive-exponent", format, notes);
-  limitExponent(values.negativeExponent, largest, "evsm4.negative-exponent", format, notes);
+  cutPositive_.limit(values.positiveExponent, largest, "evsm4.positive-exponent", format, notes);
+  cutNegative_.limit(values.negativeExponent, largest, "evsm4.negative-exponent", format, notes);
   return notes;
 }
 
@@ -107,11 +97,15 @@ void Evsm4::encode(double z, std::span<double> channels) const {
 }
 
 double Evsm4::visibility(const Fetch& fetch, double receiver) const {
-  const auto bound = [&](std::size_t first, double c) {
-    return boundOfWarp(fetch.channels[first], fetch.channels[first + 1], c, receiver,
-                       values.minVariance, values.bleedReduction);
-  };
-  return std::min(bound(0, values.positiveExponent), bound(2, -values.negativeExponent));
+  return visibilityOf(fetch.channels, settingsOf(values), receiver, Unrecorded());
+}
+
+Trace Evsm4::explain(const Fetch& fetch, double receiver) const {
+  Evsm4 steeper = *this;
+  steeper.values.positiveExponent = cutPositive_.asked(values.positiveExponent);
+  steeper.values.negativeExponent = cutNegative_.asked(values.negativeExponent);
+  return explainWarps(*this, settingsOf(values), steeper, settingsOf(steeper.values), fetch,
+                      receiver);
 }
 
 std::string_view Evsm4::glsl() const {

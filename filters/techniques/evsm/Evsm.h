@@ -3,6 +3,7 @@
 #pragma once
 
 #include "filters/core/Technique.h"
+#include "filters/techniques/evsm/ExponentLimit.h"
 
 namespace umbra::evsm {
 
@@ -61,8 +62,12 @@ class Evsm2 final : public TechniqueWith<Evsm2, Evsm2Parameters> {
   std::vector<std::string> limitTo(StorageFormat format) override;
   void encode(double z, std::span<double> channels) const override;
   double visibility(const Fetch& fetch, double receiver) const override;
+  Trace explain(const Fetch& fetch, double receiver) const override;
   std::string_view glsl() const override;
   std::string_view page() const override;
+
+ private:
+  CutExponent cut_;
 };
 
 class Evsm4 final : public TechniqueWith<Evsm4, Evsm4Parameters> {
@@ -73,8 +78,12 @@ class Evsm4 final : public TechniqueWith<Evsm4, Evsm4Parameters> {
   std::vector<std::string> limitTo(StorageFormat format) override;
   void encode(double z, std::span<double> channels) const override;
   double visibility(const Fetch& fetch, double receiver) const override;
+  Trace explain(const Fetch& fetch, double receiver) const override;
   std::string_view glsl() const override;
   std::string_view page() const override;
+
+ private:
+  CutExponent cutPositive_, cutNegative_;
 };
 
 }  // namespace umbra::evsm

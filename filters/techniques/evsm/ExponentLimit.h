@@ -35,6 +35,30 @@ inline void limitExponent(double& exponent, double largest, std::string_view opt
   exponent = largest;
 }
 
+// An exponent that a format cut down, remembered so that a trace can say what it cost.
+class CutExponent {
+ public:
+  void limit(double& exponent, double largest, std::string_view option, StorageFormat format,
+             std::vector<std::string>& notes) {
+    asked_ = exponent;
+    limitExponent(exponent, largest, option, format, notes);
+    held_ = exponent;
+  }
+  // What was asked for where `exponent` is what the format left of it, else `exponent`.
+  double asked(double exponent) const { return exponent == held_ ? asked_ : exponent; }
+
+ private:
+  double asked_ = 0.0, held_ = 0.0;
+};
+
+// For a trace.
+inline std::string exponentLimitText(std::string_view symbol, double held, double asked,
+                                     double visibility) {
+  return "the storage format holds " + std::string(symbol) + " ≤ " + shortNumber(held) + " where " +
+         shortNumber(asked) + " was asked for, and a flatter warp tells less; with it v would be " +
+         shortNumber(visibility) + ".";
+}
+
 // Why an exponential cannot be stored in `format`; empty where it can.
 inline std::string exponentialRefusal(std::string_view id, StorageFormat format) {
   if (!isNormalised(format)) return {};

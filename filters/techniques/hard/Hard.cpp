@@ -2,7 +2,9 @@
 
 #include "Hard_glsl.h"
 #include "Hard_md.h"
+#include "filters/core/ErrorShares.h"
 #include "filters/core/TechniqueCatalogue.h"
+#include "filters/core/Text.h"
 
 namespace umbra::hard {
 
@@ -23,8 +25,32 @@ void Hard::encode(double z, std::span<double> channels) const {
   channels[0] = z;
 }
 
+namespace {
+
+template <class Record>
+double compared(const Region& region, double receiver, const Record& record) {
+  record("z_r", "receiver's depth, biased", "", receiver);
+  record("z", "depth of the nearest texel", "", region.nearestDepth);
+  return record("v", "visibility: one comparison", "1 for z_r ≤ z, else 0",
+                receiver <= region.nearestDepth ? 1.0 : 0.0);
+}
+
+}  // namespace
+
 double Hard::visibility(const Fetch& fetch, double receiver) const {
-  return receiver <= fetch.region.nearestDepth ? 1.0 : 0.0;
+  return compared(fetch.region, receiver, Unrecorded());
+}
+
+Trace Hard::explain(const Fetch& fetch, double receiver) const {
+  Trace trace;
+  compared(fetch.region, receiver, TraceRecorder(trace));
+  ErrorShares shares(trace, fetch, receiver);
+  shares.rest(ErrorCause::Sampling, "z",
+              "one texel of the region's " + std::to_string(fetch.region.texels.size()) +
+                  " taps is compared, and it speaks for all; " + shortNumber(shares.reference()) +
+                  " of their weight is lit.");
+  shares.decide("all texels of the region agree with the nearest.");
+  return trace;
 }
 
 std::string_view Hard::glsl() const {

@@ -25,11 +25,15 @@ Nodes roots(double a, double b, double c) {
 // moments `b`: the roots of the polynomial whose coefficients solve B c = (1, z, z²) for the Hankel
 // matrix B of the moments. B = L D Lᵀ; everything is multiplied by the last pivot, which is 0 where
 // two depths explain the moments by themselves, and those two are then the roots.
-Nodes nodesBeside(double receiver, const Moments4& b) {
+template <class Record>
+Nodes nodesBeside(double receiver, const Moments4& b, const Record& record) {
   const double l10 = b[0], l20 = b[1];
-  const double d1 = std::max(b[1] - b[0] * b[0], 1e-30);  // the variance
+  const double d1 =
+      record("D₁", "first pivot: the variance", "b₂ − b₁²", std::max(b[1] - b[0] * b[0], 1e-30));
   const double l21 = (b[2] - b[1] * b[0]) / d1;
-  const double d2 = std::max(b[3] - b[1] * b[1] - l21 * l21 * d1, 0.0);
+  const double d2 =
+      record("D₂", "last pivot: 0 where two depths explain the moments", "b₄ − b₂² − L₂₁² D₁",
+             std::max(b[3] - b[1] * b[1] - l21 * l21 * d1, 0.0));
   const double y1 = receiver - l10;
   const double y2 = receiver * receiver - l20 - l21 * y1;
   // y2 = 0 puts one depth infinitely far away; 1e-30 is far enough.
@@ -37,6 +41,32 @@ Nodes nodesBeside(double receiver, const Moments4& b) {
   const double c1 = d2 * y1 / d1 - l21 * c2;
   const double c0 = d2 - l10 * c1 - l20 * c2;
   return roots(c2, c1, c0);
+}
+
+template <class Record>
+double boundOf(const Moments4& moments, double receiver, double bias, const Record& record) {
+  record("α", "moment bias", "", bias);
+  Moments4 b = moments;
+  for (int k = 0; k < 4; ++k) {
+    b[k] += bias * (0.5 - b[k]);
+    record.numbered(k + 1)("b", "moment, moved towards ½", "M + α(½ − M)", b[k]);
+  }
+  const auto [near, far] = nodesBeside(receiver, b, record);
+  record("z₁", "the nearer of the other two depths of the worst distribution",
+         "root of c₀ + c₁z + c₂z²", near);
+  record("z₂", "the farther of them", "the other root", far);
+  if (receiver <= near)
+    return record("p_max", "the receiver is before both: all may be lit", "1 for z_r ≤ z₁", 1.0);
+  // The weight of the depths before the receiver in that distribution is what is surely occluded.
+  const bool between = receiver <= far;
+  const double occluded = between ? (receiver * far - b[0] * (receiver + far) + b[1]) /
+                                        ((far - near) * (receiver - near))
+                                  : 1.0 - (near * far - b[0] * (near + far) + b[1]) /
+                                              ((receiver - near) * (receiver - far));
+  record("G", "weight that surely lies before the receiver", between ? "of z₁" : "of z₁ and z₂",
+         occluded);
+  return record("p_max", "the most that the moments allow to be lit", "1 − G",
+                std::clamp(1.0 - occluded, 0.0, 1.0));
 }
 
 }  // namespace
@@ -60,17 +90,12 @@ Moments4 fromQuantised(const Moments4& channels) {
 }
 
 double hamburgerVisibility(const Moments4& moments, double receiver, double bias) {
-  Moments4 b = moments;
-  for (double& moment : b) moment += bias * (0.5 - moment);
-  const auto [near, far] = nodesBeside(receiver, b);
-  if (receiver <= near) return 1.0;
-  // The weight of the depths before the receiver in that distribution is what is surely occluded.
-  const bool between = receiver <= far;
-  const double occluded = between ? (receiver * far - b[0] * (receiver + far) + b[1]) /
-                                        ((far - near) * (receiver - near))
-                                  : 1.0 - (near * far - b[0] * (near + far) + b[1]) /
-                                              ((receiver - near) * (receiver - far));
-  return std::clamp(1.0 - occluded, 0.0, 1.0);
+  return boundOf(moments, receiver, bias, Unrecorded());
+}
+
+double hamburgerVisibility(const Moments4& moments, double receiver, double bias,
+                           const TraceRecorder& record) {
+  return boundOf(moments, receiver, bias, record);
 }
 
 }  // namespace umbra

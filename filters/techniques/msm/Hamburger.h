@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "filters/core/Trace.h"
+
 namespace umbra {
 
 // Power moments of depth: E[z], E[z²], E[z³], E[z⁴].
@@ -17,5 +19,8 @@ Moments4 fromQuantised(const Moments4& channels);
 // were moved by `bias` towards (½, ½, ½, ½), which makes rounded moments those of a distribution
 // again. Never below the true share less bias/2. Result in [0,1]; bias > 0.
 double hamburgerVisibility(const Moments4& moments, double receiver, double bias);
+// The same, with its steps.
+double hamburgerVisibility(const Moments4& moments, double receiver, double bias,
+                           const TraceRecorder& record);
 
 }  // namespace umbra

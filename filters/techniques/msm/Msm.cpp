@@ -5,6 +5,7 @@
 
 #include "Msm_glsl.h"
 #include "Msm_md.h"
+#include "filters/core/ErrorShares.h"
 #include "filters/core/TechniqueCatalogue.h"
 #include "filters/core/Text.h"
 #include "filters/techniques/msm/Hamburger.h"
@@ -57,12 +58,60 @@ void Msm::encode(double z, std::span<double> channels) const {
   std::copy(stored.begin(), stored.end(), channels.begin());
 }
 
-double Msm::visibility(const Fetch& fetch, double receiver) const {
+namespace {
+
+Moments4 momentsOf(std::span<const double> channels, Basis basis) {
   Moments4 moments;
-  std::copy_n(fetch.channels.begin(), 4, moments.begin());
-  if (values.basis == Basis::Quantised) moments = fromQuantised(moments);
+  std::copy_n(channels.begin(), 4, moments.begin());
+  return basis == Basis::Quantised ? fromQuantised(moments) : moments;
+}
+
+// With the smallest bias that a system in double bears.
+constexpr double hardlyAnyBias = 1e-9;
+
+}  // namespace
+
+double Msm::visibility(const Fetch& fetch, double receiver) const {
+  const Moments4 moments = momentsOf(fetch.channels, values.basis);
   return reduceLightBleeding(hamburgerVisibility(moments, receiver, values.momentBias),
                              values.bleedReduction);
+}
+
+Trace Msm::explain(const Fetch& fetch, double receiver) const {
+  Trace trace;
+  const TraceRecorder record(trace);
+  record("z_r", "receiver's depth, biased", "", receiver);
+  const Moments4 moments = momentsOf(fetch.channels, values.basis);
+  for (int k = 0; k < 4; ++k)
+    record.numbered(k + 1)("M", "moment of the region's depths", "", moments[k]);
+  const double bound = hamburgerVisibility(moments, receiver, values.momentBias, record);
+  record("a", "light-bleeding reduction", "", values.bleedReduction);
+  record("v", "visibility", "clamp((p_max − a)/(1 − a), 0, 1)",
+         reduceLightBleeding(bound, values.bleedReduction));
+
+  ErrorShares shares(trace, fetch, receiver);
+  shares.without(ErrorCause::Reduction, "v", bound,
+                 "the light-bleeding reduction takes a part of every penumbra; the bound itself "
+                 "is " +
+                     shortNumber(bound) + ".");
+  const Moments4 exact = momentsOf(exactMeans(*this, fetch), values.basis);
+  const double precise = hamburgerVisibility(exact, receiver, values.momentBias);
+  shares.without(ErrorCause::StoredPrecision, "D₂", precise,
+                 "the stored moments are rounded, and the pivots are small differences of them; "
+                 "from exact moments v would be " +
+                     shortNumber(precise) + ".");
+  const double unbiased =
+      hamburgerVisibility(exact, receiver, std::min(values.momentBias, hardlyAnyBias));
+  shares.without(ErrorCause::VarianceClamp, "α", unbiased,
+                 "the moment bias blurs the depths by a little, as a smallest variance does; "
+                 "without it v would be " +
+                     shortNumber(unbiased) + ".");
+  shares.rest(ErrorCause::BoundSlack, "p_max",
+              "the four moments also belong to other depths than these, of which " +
+                  shortNumber(shares.reference()) +
+                  " are lit: the bound is that of the worst three, z₁, z_r and z₂.");
+  shares.decide("four moments leave these depths hardly any choice.");
+  return trace;
 }
 
 std::string_view Msm::glsl() const {

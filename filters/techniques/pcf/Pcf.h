@@ -12,6 +12,7 @@ class Pcf final : public TechniqueWith<Pcf, NoParameters> {
   std::vector<Channel> channels() const override { return {{"z"}}; }
   void encode(double z, std::span<double> channels) const override;
   double visibility(const Fetch& fetch, double receiver) const override;
+  Trace explain(const Fetch& fetch, double receiver) const override;
   std::string_view glsl() const override;
   std::string_view page() const override;
 };

@@ -3,7 +3,9 @@
 #include "PowerCdf_glsl.h"
 #include "PowerCdf_md.h"
 #include "PowerVisibility_glsl.h"
+#include "filters/core/ErrorShares.h"
 #include "filters/core/TechniqueCatalogue.h"
+#include "filters/techniques/power_cdf/PowerErrors.h"
 #include "filters/techniques/power_cdf/PowerVisibility.h"
 
 namespace umbra::power_cdf {
@@ -26,6 +28,18 @@ void PowerCdf::encode(double z, std::span<double> channels) const {
 
 double PowerCdf::visibility(const Fetch& fetch, double receiver) const {
   return powerVisibility(fetch.channels[0], fetch.channels[1], fetch.channels[2], receiver);
+}
+
+Trace PowerCdf::explain(const Fetch& fetch, double receiver) const {
+  Trace trace;
+  const TraceRecorder record(trace);
+  record("z_r", "receiver's depth, biased", "", receiver);
+  powerVisibility(fetch.channels[0], fetch.channels[1], fetch.channels[2], receiver, record);
+  ErrorShares shares(trace, fetch, receiver);
+  chargePower(shares, fetch.channels[0], fetch.channels[1], fetch.channels[2], fetch.region,
+              receiver, [](double z) { return z; });
+  shares.decide("the depths are distributed about as t^β.");
+  return trace;
 }
 
 std::string_view PowerCdf::glsl() const {

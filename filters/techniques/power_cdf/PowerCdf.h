@@ -13,6 +13,7 @@ class PowerCdf final : public TechniqueWith<PowerCdf, NoParameters> {
   }
   void encode(double z, std::span<double> channels) const override;
   double visibility(const Fetch& fetch, double receiver) const override;
+  Trace explain(const Fetch& fetch, double receiver) const override;
   std::string_view glsl() const override;
   std::string_view page() const override;
 };

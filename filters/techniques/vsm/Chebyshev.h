@@ -20,4 +20,23 @@ inline double reduceLightBleeding(double visibility, double amount) {
   return std::clamp((visibility - amount) / (1.0 - amount), 0.0, 1.0);
 }
 
+// The whole chain from two moments to the visibility: eq. 3.2 and 3.3, lit for t ≤ M1, then the
+// reduction. `record` takes its steps (TraceRecorder, Unrecorded).
+template <class Record>
+double chebyshevVisibility(double m1, double m2, double t, double minVariance, double reduction,
+                           const Record& record) {
+  record("μ", "mean of the region", "M1", m1);
+  record("M2", "mean of the squares", "", m2);
+  record("t − μ", "receiver behind the mean", "", t - m1);
+  if (t <= m1) return record("v", "lit: the receiver is not behind the mean", "1 for t ≤ μ", 1.0);
+  const double variance = record("σ²", "variance of the region", "M2 − μ²", m2 - m1 * m1);
+  record("σ²min", "smallest variance", "", minVariance);
+  record("σ²₊", "variance that is used", "max(σ², σ²min)", std::max(variance, minVariance));
+  const double bound = record("p_max", "Chebyshev's upper bound", "σ²₊ / (σ²₊ + (t − μ)²)",
+                              chebyshevUpperBound(m1, m2, t, minVariance));
+  record("a", "light-bleeding reduction", "", reduction);
+  return record("v", "visibility", "clamp((p_max − a)/(1 − a), 0, 1)",
+                reduceLightBleeding(bound, reduction));
+}
+
 }  // namespace umbra

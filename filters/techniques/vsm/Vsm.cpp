@@ -4,6 +4,7 @@
 #include "Vsm_md.h"
 #include "filters/core/TechniqueCatalogue.h"
 #include "filters/techniques/vsm/Chebyshev.h"
+#include "filters/techniques/vsm/VarianceErrors.h"
 
 namespace umbra::vsm {
 
@@ -26,10 +27,30 @@ void Vsm::encode(double z, std::span<double> channels) const {
 }
 
 double Vsm::visibility(const Fetch& fetch, double receiver) const {
-  const double m1 = fetch.channels[0], m2 = fetch.channels[1];
-  if (receiver <= m1) return 1.0;
-  const double bound = chebyshevUpperBound(m1, m2, receiver, values.minVariance);
-  return reduceLightBleeding(bound, values.bleedReduction);
+  return chebyshevVisibility(fetch.channels[0], fetch.channels[1], receiver, values.minVariance,
+                             values.bleedReduction, Unrecorded());
+}
+
+Trace Vsm::explain(const Fetch& fetch, double receiver) const {
+  Trace trace;
+  const TraceRecorder record(trace);
+  record("t = z_r", "receiver's depth, biased", "", receiver);
+  chebyshevVisibility(fetch.channels[0], fetch.channels[1], receiver, values.minVariance,
+                      values.bleedReduction, record);
+  ErrorShares shares(trace, fetch, receiver);
+  const auto evaluate = [&](std::span<const double> channels, const BoundSettings& settings) {
+    return chebyshevVisibility(channels[0], channels[1], receiver,
+                               settings.minVariance ? values.minVariance : 0.0,
+                               settings.reduction ? values.bleedReduction : 0.0, Unrecorded());
+  };
+  const std::vector<double> exact = chargeSettings(shares, *this, fetch, evaluate);
+  const std::vector<double> together = withoutSpread(*this, fetch.region, receiver);
+  chargeSpread(shares, evaluate(together, {false, false}), receiver <= exact[0], receiver,
+               ErrorCause::DistantVariance,
+               "Chebyshev's bound knows only their variance, which is large beside the receiver's "
+               "distance, and cannot tell them from depths behind the receiver.");
+  shares.decide("occluder and receiver are two depths, for which the bound is reached.");
+  return trace;
 }
 
 std::string_view Vsm::glsl() const {

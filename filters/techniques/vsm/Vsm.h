@@ -28,6 +28,7 @@ class Vsm final : public TechniqueWith<Vsm, VsmParameters> {
   std::vector<Channel> channels() const override { return {{"M1"}, {"M2"}}; }
   void encode(double z, std::span<double> channels) const override;
   double visibility(const Fetch& fetch, double receiver) const override;
+  Trace explain(const Fetch& fetch, double receiver) const override;
   std::string_view glsl() const override;
   std::string_view page() const override;
 };

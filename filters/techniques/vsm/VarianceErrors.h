@@ -1,0 +1,40 @@
+// What goes wrong in a Chebyshev bound, whatever the warp: common to vsm, evsm and lvsm.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "filters/core/ErrorShares.h"
+
+namespace umbra {
+
+// Which settings an evaluation heeds.
+struct BoundSettings {
+  bool reduction = true;
+  bool minVariance = true;
+};
+// The visibility from other channels than the fetch's, or with fewer settings.
+using BoundEvaluation =
+    std::function<double(std::span<const double> channels, const BoundSettings&)>;
+
+// Takes away the reduction, then the rounding of the channels, then the smallest variance. Gives
+// the channels in double.
+std::vector<double> chargeSettings(ErrorShares& shares, const Technique& technique,
+                                   const Fetch& fetch, const BoundEvaluation& evaluate);
+
+// The channels, pairs of moments, if all blocking depths lay at their mean in each warp: what is
+// left is the variance between them and the lit ones.
+std::vector<double> withoutSpread(const Technique& technique, const Region& region,
+                                  double receiver);
+
+// Takes the spread of the blocking depths away, and charges early-out or slack with the rest.
+// `early` says that the receiver counts as lit because it is not behind the mean.
+void chargeSpread(ErrorShares& shares, double visibilityWithoutSpread, bool early, double receiver,
+                  ErrorCause cause, const std::string& whyBright);
+
+// Of the region's blocking depths: "Occluders lie at 0.2 … 0.6, the receiver 0.15 behind the
+// nearest to it".
+std::string occludersText(const Occlusion& occlusion, double receiver);
+
+}  // namespace umbra
