@@ -3,11 +3,12 @@
 #include "BlockReduce_comp_glsl.h"
 #include "Encode_comp_glsl.h"
 #include "Evaluate_comp_glsl.h"
+#include "MipLevel_comp_glsl.h"
 #include "Reduce_glsl.h"
 #include "Store_glsl.h"
 #include "WeightedReduce_comp_glsl.h"
 #include "filters/core/Error.h"
-#include "filters/gpu/TechniqueShader.h"
+#include "filters/core/MipLevels.h"
 
 namespace umbra {
 namespace {
@@ -61,8 +62,8 @@ std::string storeSource(const gl::Texture& target) {
   return std::string("#define UMBRA_HALF ") + (half ? "1\n" : "0\n") + Store_glsl;
 }
 
-void bindTarget(const gl::Texture& target) {
-  glBindImageTexture(0, target.name(), 0, GL_TRUE, 0, GL_WRITE_ONLY, target.format());
+void bindTarget(const gl::Texture& target, int level = 0) {
+  glBindImageTexture(0, target.name(), level, GL_TRUE, 0, GL_WRITE_ONLY, target.format());
 }
 
 // Until the results may be sampled, read back and written again.
@@ -74,7 +75,7 @@ void finish() {
 }
 
 // Units that VTK does not hold on to between its draws.
-constexpr int depthUnit = 0, channelUnit = 1, readUnit = 2;
+constexpr int depthUnit = 0, channelUnit = 1;
 
 float reductionSign(Reduction reduction) {
   return reduction == Reduction::Mean ? 0.0f : reduction == Reduction::Max ? 1.0f : -1.0f;
@@ -85,15 +86,43 @@ float reductionSign(Reduction reduction) {
 std::size_t textureBytes(const FrameSettings& settings, const Technique& technique) {
   const std::size_t channels = technique.channels().size();
   const std::size_t encoded = texelBytes(settings.map.format, channels);
-  std::size_t bytes = texelBytes(StorageFormat::Float, 1) + encoded;
-  if (technique.info().prefilterable && settings.kernel.effectiveRadius() > 0)
-    bytes += texelBytes(StorageFormat::Float, channels) + encoded;
-  return bytes * std::size_t(settings.map.size) * std::size_t(settings.map.size);
+  const bool prefilterable = technique.info().prefilterable;
+  const ReadFilter filter = settings.read.filter;
+  std::size_t texel = texelBytes(StorageFormat::Float, 1) * settings.map.samples + encoded;
+  if (prefilterable && settings.kernel.effectiveRadius() > 0 && filter != ReadFilter::SummedArea)
+    texel += texelBytes(StorageFormat::Float, channels) + encoded;
+  const auto size = std::size_t(settings.map.size);
+  std::size_t bytes = texel * size * size;
+  if (prefilterable && readsLevels(filter))
+    for (int i = mipLevels(settings.map.size, settings.map.size) - 1; i >= 0; --i)
+      bytes += encoded << (2 * i);
+  return bytes * settings.map.cascades.count;
 }
 
-void ChannelBaker::uploadDepth(const DepthMap& map) {
-  depth_.require(GL_R32F, map.width(), map.height());
-  depth_.upload(1, std::vector<float>(map.values().begin(), map.values().end()));
+void ChannelBaker::prepareDepth(int width, int height, int cascades, int samples) {
+  cascades_ = cascades;
+  samples_ = samples;
+  depth_.require(GL_R32F, width, height, cascades * samples);
+}
+
+void ChannelBaker::uploadDepth(const DepthMap& map, int cascade) {
+  if (depth_.width() != map.width() || depth_.height() != map.height() ||
+      samples_ != map.channels() || cascade >= cascades_)
+    prepareDepth(map.width(), map.height(), cascade + 1, map.channels());
+  const std::size_t texels = std::size_t(map.width()) * map.height();
+  std::vector<float> layers(texels * samples_);
+  for (std::size_t i = 0; i < layers.size(); ++i)
+    layers[i % samples_ * texels + i / samples_] = float(map.values()[i]);
+  depth_.uploadLayers(1, cascade * samples_, samples_, layers);
+}
+
+DepthMap ChannelBaker::readDepth(int cascade) const {
+  DepthMap map(depth_.width(), depth_.height(), samples_);
+  const std::size_t texels = std::size_t(map.width()) * map.height();
+  const std::vector<float> layers = depth_.readLayers(1, cascade * samples_, samples_);
+  for (std::size_t i = 0; i < layers.size(); ++i)
+    map.values()[i] = layers[i % samples_ * texels + i / samples_];
+  return map;
 }
 
 void ChannelBaker::encode(Technique& technique, StorageFormat format) {
@@ -103,23 +132,38 @@ void ChannelBaker::encode(Technique& technique, StorageFormat format) {
   layout_ = technique.channels();
   format_ = format;
   prefilterable_ = technique.info().prefilterable;
-  filtered_ = false;
+  filtered_ = levelled_ = false;
   encoded_.require(textureFormat(format, layout_.size()), depth_.width(), depth_.height(),
-                   layersFor(int(layout_.size())));
+                   cascades_ * channelLayers());
   const std::string name = "encode of " + std::string(technique.info().id);
-  const GLuint program =
-      programs_.compute(name, computeSource(technique, storeSource(encoded_) + Encode_comp_glsl));
+  MapReads reads;  // how the channels will be read makes no other program
+  reads.samples = samples_;
+  const GLuint program = programs_.compute(
+      name, computeSource(technique, reads, storeSource(encoded_) + Encode_comp_glsl));
   setTechniqueUniforms(program, technique, format);
+  gl::setUniform4(program, "umbraSigns", signs());
   gl::setUniform(program, "umbraDepthMap", depthUnit);
   gl::setUniform(program, "umbraChannelMap", channelUnit);
   glUseProgram(program);
   glBindTextureUnit(depthUnit, depth_.name());
   bindTarget(encoded_);
-  glDispatchCompute(groups(depth_.width(), 8), groups(depth_.height(), 8), 1);
+  glDispatchCompute(groups(depth_.width(), 8), groups(depth_.height(), 8), GLuint(cascades_));
   finish();
 }
 
+std::vector<float> ChannelBaker::signs() const {
+  std::vector<float> signs(std::size_t(channelLayers()) * 4, 0.0f);
+  for (std::size_t c = 0; c < layout_.size(); ++c) signs[c] = reductionSign(layout_[c].reduction);
+  return signs;
+}
+
+std::string ChannelBaker::reductionSource(const gl::Texture& target) const {
+  return "#version 430\n#define UMBRA_LAYERS " + std::to_string(channelLayers()) + "\n" +
+         storeSource(target) + Reduce_glsl;
+}
+
 void ChannelBaker::prefilter(const Kernel& kernel) {
+  levelled_ = false;
   filtered_ = prefilterable_ && kernel.effectiveRadius() > 0;
   if (!filtered_) return;
   const int width = encoded_.width(), height = encoded_.height(), layers = encoded_.layers();
@@ -129,16 +173,33 @@ void ChannelBaker::prefilter(const Kernel& kernel) {
   reduceAlong(0, 1, half_, reduced_, kernel);
 }
 
+void ChannelBaker::buildLevels() {
+  const gl::Texture& map = channelMap();
+  const int count = mipLevels(map.width(), map.height());
+  const int side = 1 << (count - 1);  // of level 1
+  levels_.require(map.format(), side, side, map.layers(), count);
+  const GLuint program =
+      programs_.compute("mip level", reductionSource(levels_) + MipLevel_comp_glsl);
+  gl::setUniform4(program, "umbraSigns", signs());
+  gl::setUniform(program, "umbraSource", channelUnit);
+  for (int level = 0; level < count; ++level) {
+    gl::setUniform(program, "umbraSourceLevel", std::max(level - 1, 0));
+    glUseProgram(program);
+    glBindTextureUnit(channelUnit, level == 0 ? map.name() : levels_.name());
+    bindTarget(levels_, level);
+    glDispatchCompute(groups(side >> level, 8), groups(side >> level, 8), GLuint(map.layers()));
+    finish();
+  }
+  levelled_ = true;
+}
+
 void ChannelBaker::reduceAlong(int x, int y, const gl::Texture& source, const gl::Texture& target,
                                const Kernel& kernel) {
   const bool box = kernel.shape == KernelShape::Box;
-  const std::string text = "#version 430\n#define UMBRA_LAYERS " + std::to_string(source.layers()) +
-                           "\n" + storeSource(target) + Reduce_glsl +
-                           (box ? BlockReduce_comp_glsl : WeightedReduce_comp_glsl);
+  const std::string text =
+      reductionSource(target) + (box ? BlockReduce_comp_glsl : WeightedReduce_comp_glsl);
   const GLuint program = programs_.compute(box ? "box reduction" : "weighted reduction", text);
-  std::vector<float> signs(std::size_t(source.layers()) * 4, 0.0f);
-  for (std::size_t c = 0; c < layout_.size(); ++c) signs[c] = reductionSign(layout_[c].reduction);
-  gl::setUniform4(program, "umbraSigns", signs);
+  gl::setUniform4(program, "umbraSigns", signs());
   gl::setUniform(program, "umbraAxis", x, y);
   gl::setUniform(program, "umbraRadius", kernel.effectiveRadius());
   gl::setUniform(program, "umbraSource", channelUnit);
@@ -162,10 +223,7 @@ const gl::Texture& ChannelBaker::stage(BakeStage stage) const {
   return stage == BakeStage::Prefiltered && filtered_ ? reduced_ : encoded_;
 }
 
-Image<float> ChannelBaker::read(BakeStage which) const {
-  const gl::Texture& texture = stage(which);
-  const int width = texture.width(), height = texture.height();
-  const std::vector<float> texels = texture.read(4);
+Image<float> ChannelBaker::valuesOf(const std::vector<float>& texels, int width, int height) const {
   Image<float> channels(width, height, int(layout_.size()));
   for (std::size_t c = 0; c < layout_.size(); ++c) {
     const ChannelRange range = rangeOf(layout_[c], format_);
@@ -177,9 +235,21 @@ Image<float> ChannelBaker::read(BakeStage which) const {
   return channels;
 }
 
-void ChannelBaker::upload(BakeStage which, const Image<float>& channels) {
+Image<float> ChannelBaker::read(BakeStage which, int cascade) const {
+  const gl::Texture& texture = stage(which);
+  return valuesOf(texture.readLayers(4, cascade * channelLayers(), channelLayers()),
+                  texture.width(), texture.height());
+}
+
+Image<float> ChannelBaker::readLevel(int level, int cascade) const {
+  const int side = levels_.width() >> (level - 1);
+  return valuesOf(levels_.readLayers(4, cascade * channelLayers(), channelLayers(), level - 1),
+                  side, side);
+}
+
+void ChannelBaker::upload(BakeStage which, const Image<float>& channels, int cascade) {
   const int width = encoded_.width(), height = encoded_.height();
-  std::vector<float> texels(std::size_t(width) * height * encoded_.layers() * 4, 0.0f);
+  std::vector<float> texels(std::size_t(width) * height * channelLayers() * 4, 0.0f);
   for (std::size_t c = 0; c < layout_.size(); ++c) {
     const ChannelRange range = rangeOf(layout_[c], format_);
     float* layer = texels.data() + (c / 4) * std::size_t(width) * height * 4 + c % 4;
@@ -187,39 +257,48 @@ void ChannelBaker::upload(BakeStage which, const Image<float>& channels) {
       for (int x = 0; x < width; ++x)
         layer[(std::size_t(y) * width + x) * 4] = (channels(x, y, int(c)) - range.low) / range.span;
   }
+  levelled_ = false;
   if (which == BakeStage::Prefiltered) {
     reduced_.require(encoded_.format(), width, height, encoded_.layers());
     filtered_ = true;
-    reduced_.upload(4, texels);
-  } else {
-    encoded_.upload(4, texels);
   }
+  gl::Texture& target = which == BakeStage::Prefiltered ? reduced_ : encoded_;
+  target.uploadLayers(4, cascade * channelLayers(), channelLayers(), texels);
 }
 
-std::vector<float> ChannelBaker::evaluate(const gl::Texture& reads, Technique& technique,
-                                          const Kernel& kernel, ReadFilter read) {
-  const gl::Texture result(GL_RG32F, reads.width(), reads.height());
+std::vector<float> ChannelBaker::evaluate(const gl::Texture& surfaces,
+                                          const gl::Texture* footprints, Technique& technique,
+                                          MapReads reads) {
+  reads.samples = samples_;
+  reads.cascades = cascades_;
+  const gl::Texture result(GL_RG32F, surfaces.width(), surfaces.height());
   const std::string name = "visibility of " + std::string(technique.info().id);
-  const GLuint program = programs_.compute(name, computeSource(technique, Evaluate_comp_glsl));
+  const GLuint program =
+      programs_.compute(name, computeSource(technique, reads, Evaluate_comp_glsl));
   setTechniqueUniforms(program, technique, format_);
-  setReadUniforms(program, kernel, read);
-  gl::setUniform(program, "umbraDepthMap", depthUnit);
-  gl::setUniform(program, "umbraChannelMap", channelUnit);
-  gl::setUniform(program, "umbraReads", readUnit);
+  setReadUniforms(program, reads);
+  const std::pair<const char*, GLuint> textures[] = {
+      {"umbraDepthMap", depth_.name()},
+      {"umbraChannelMap", channelMap().name()},
+      {"umbraReads", surfaces.name()},
+      {"umbraMipMap", levelled_ ? levels_.name() : 0},
+      {"umbraFootprints", footprints ? footprints->name() : 0}};
+  for (int unit = 0; unit < int(std::size(textures)); ++unit) {
+    gl::setUniform(program, textures[unit].first, unit);
+    glBindTextureUnit(GLuint(unit), textures[unit].second);
+  }
   glUseProgram(program);
-  glBindTextureUnit(depthUnit, depth_.name());
-  glBindTextureUnit(channelUnit, channelMap().name());
-  glBindTextureUnit(readUnit, reads.name());
   bindTarget(result);
-  glDispatchCompute(groups(reads.width(), 8), groups(reads.height(), 8), 1);
+  glDispatchCompute(groups(surfaces.width(), 8), groups(surfaces.height(), 8), 1);
   finish();
   return result.read(2);
 }
 
 void ChannelBaker::releaseGraphicsResources() {
   programs_.clear();
-  for (gl::Texture* texture : {&depth_, &encoded_, &half_, &reduced_}) *texture = gl::Texture();
-  filtered_ = false;
+  for (gl::Texture* texture : {&depth_, &encoded_, &half_, &reduced_, &levels_})
+    *texture = gl::Texture();
+  filtered_ = levelled_ = false;
 }
 
 }  // namespace umbra

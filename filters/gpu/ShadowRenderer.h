@@ -36,7 +36,7 @@ struct SurfacePoint {
 
 // GPU time of one pass of the last frame; passes that had nothing to do are absent.
 struct PassTime {
-  std::string pass;  // "depth", "encode", "prefilter", "shade", "view"
+  std::string pass;  // "depth", "encode", "prefilter", "levels", "shade", "view"
   double milliseconds = 0.0;
 };
 

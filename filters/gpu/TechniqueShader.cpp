@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "ReadLevels_glsl.h"
+#include "ReadPixel_glsl.h"
+#include "ReadTexels_glsl.h"
 #include "ShadowMapRead_glsl.h"
 
 namespace umbra {
@@ -35,6 +38,35 @@ void setParameter(GLuint program, const Parameter& parameter) {
   }
 }
 
+// As ShadowMapRead.glsl counts them.
+int filterNumber(ReadFilter filter) {
+  switch (filter) {
+    case ReadFilter::Point:
+      return 0;
+    case ReadFilter::Bilinear:
+      return 1;
+    case ReadFilter::Trilinear:
+    case ReadFilter::Anisotropic:
+      return 2;
+    case ReadFilter::SummedArea:
+      return 3;
+  }
+  return 0;
+}
+
+// The weights of all taps up to each distance from the centre: radius + 1 floats, the last 1.
+std::vector<float> windowWeights(const Kernel& kernel) {
+  const std::vector<double> weights = kernel.weights();
+  const int r = kernel.effectiveRadius();
+  std::vector<float> sums;
+  double sum = 0.0;
+  for (int i = 0; i <= r; ++i) {
+    sum += i == 0 ? weights[r] : 2.0 * weights[r + i];
+    sums.push_back(i == r ? 1.0f : float(sum));
+  }
+  return sums;
+}
+
 }  // namespace
 
 int layersFor(int channels) {
@@ -46,14 +78,25 @@ ChannelRange rangeOf(const Channel& channel, StorageFormat format) {
   return {float(channel.low), float(channel.high - channel.low)};
 }
 
-std::string techniqueSource(const Technique& technique) {
-  const std::string count = std::to_string(technique.channels().size());
-  return "#define UMBRA_CHANNELS " + count + "\n" + ShadowMapRead_glsl + "\n" +
+bool readsLevels(ReadFilter filter) {
+  return filter == ReadFilter::Trilinear || filter == ReadFilter::Anisotropic;
+}
+
+std::string techniqueSource(const Technique& technique, const MapReads& reads) {
+  const auto define = [](const char* name, std::size_t value) {
+    return std::string("#define UMBRA_") + name + " " + std::to_string(value) + "\n";
+  };
+  return define("CHANNELS", technique.channels().size()) +
+         define("PREFILTERED", technique.info().prefilterable) +
+         define("FILTER", filterNumber(reads.filter)) + define("SAMPLES", reads.samples) +
+         define("CASCADES", reads.cascades) + ShadowMapRead_glsl +
+         (readsLevels(reads.filter) ? ReadLevels_glsl : ReadTexels_glsl) + ReadPixel_glsl + "\n" +
          std::string(technique.glsl()) + "\n";
 }
 
-std::string computeSource(const Technique& technique, const std::string& body) {
-  return "#version 430\n" + techniqueSource(technique) + body;
+std::string computeSource(const Technique& technique, const MapReads& reads,
+                          const std::string& body) {
+  return "#version 430\n" + techniqueSource(technique, reads) + body;
 }
 
 void setTechniqueUniforms(GLuint program, Technique& technique, StorageFormat format) {
@@ -71,10 +114,15 @@ void setTechniqueUniforms(GLuint program, Technique& technique, StorageFormat fo
   gl::setUniform(program, "umbraSpan", span);
 }
 
-void setReadUniforms(GLuint program, const Kernel& kernel, ReadFilter read) {
-  gl::setUniform(program, "umbraBilinear", read == ReadFilter::Bilinear ? 1 : 0);
-  gl::setUniform(program, "umbraRadius", kernel.effectiveRadius());
-  gl::setUniform(program, "umbraWeights", halfWeights(kernel));
+void setReadUniforms(GLuint program, const MapReads& reads) {
+  gl::setUniform(program, "umbraRadius", reads.kernel.effectiveRadius());
+  if (readsLevels(reads.filter))
+    gl::setUniform(program, "umbraWindow", windowWeights(reads.kernel));
+  else
+    gl::setUniform(program, "umbraWeights", halfWeights(reads.kernel));
+  if (reads.cascades > 1)
+    gl::setUniform3(program, "umbraCascadeWindows",
+                    {reads.windows[0].data(), 3 * reads.windows.size()});
 }
 
 std::vector<float> halfWeights(const Kernel& kernel) {

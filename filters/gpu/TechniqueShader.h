@@ -1,6 +1,8 @@
 // A technique's GLSL with the reads that it expects around it, and the uniforms of both.
 #pragma once
 
+#include <Eigen/Core>
+#include <array>
 #include <string>
 
 #include "filters/core/FrameSettings.h"
@@ -19,15 +21,34 @@ struct ChannelRange {
 };
 ChannelRange rangeOf(const Channel& channel, StorageFormat format);
 
-// UMBRA_CHANNELS, ShadowMapRead.glsl and the technique's text; no #version and no main. Its
-// samplers are umbraDepthMap and umbraChannelMap.
-std::string techniqueSource(const Technique& technique);
+// How the maps are laid out and read.
+struct MapReads {
+  Kernel kernel;
+  ReadFilter filter = ReadFilter::Bilinear;
+  int samples = 1;   // depths a texel
+  int cascades = 1;  // maps
+  // Left, top and side of each cascade's window in the whole light's (u, v).
+  std::array<Eigen::Vector3f, CascadeSettings::largestCount> windows{};
+
+  // Whether a read depends on more than its position.
+  bool needFootprints() const {
+    return cascades > 1 || (filter != ReadFilter::Point && filter != ReadFilter::Bilinear);
+  }
+};
+
+// Whether reads of this filter need mip levels.
+bool readsLevels(ReadFilter filter);
+
+// What ShadowMapRead.glsl asks for, that text, the filter's, and the technique's; no #version and
+// no main. Its samplers are umbraDepthMap, umbraChannelMap and, with mip levels, umbraMipMap.
+std::string techniqueSource(const Technique& technique, const MapReads& reads);
 // The same as a whole compute shader, around `body` with its main.
-std::string computeSource(const Technique& technique, const std::string& body);
+std::string computeSource(const Technique& technique, const MapReads& reads,
+                          const std::string& body);
 
 // Parameters, derived uniforms and channel ranges. Does not bind the program.
 void setTechniqueUniforms(GLuint program, Technique& technique, StorageFormat format);
-void setReadUniforms(GLuint program, const Kernel& kernel, ReadFilter read);
+void setReadUniforms(GLuint program, const MapReads& reads);
 // From the centre outwards: radius + 1 floats.
 std::vector<float> halfWeights(const Kernel& kernel);
 

@@ -48,6 +48,12 @@ int viewNumber(ViewMode view, const Technique& technique) {
   return 0;
 }
 
+// A summed-area table averages the kernel's box by itself.
+Kernel blurOf(const FrameSettings& settings) {
+  const bool summed = settings.read.filter == ReadFilter::SummedArea;
+  return summed ? Kernel{KernelShape::None, 0} : settings.kernel;
+}
+
 }  // namespace
 
 vtkStandardNewMacro(vtkUmbraFramePass);
@@ -83,7 +89,7 @@ void vtkUmbraFramePass::SetSettings(const FrameSettings& settings) {
   if (old.map.size != settings.map.size || old.bias.cullFrontFaces != settings.bias.cullFrontFaces)
     this->MakeStale(Stage::Depth);
   if (old.map.format != settings.map.format) this->MakeStale(Stage::Encode);
-  if (old.kernel != settings.kernel) this->MakeStale(Stage::Prefilter);
+  if (blurOf(old) != blurOf(settings)) this->MakeStale(Stage::Prefilter);
 }
 
 void vtkUmbraFramePass::SetTechnique(const Technique& technique) {
@@ -131,7 +137,9 @@ void vtkUmbraFramePass::DrawFrame(const vtkRenderState* state) {
     scene.SetPropArrayAndCount(own.data(), int(own.size()));
     this->CullInsides(renderer);
     this->Shading->SetTechnique(this->Adapted.get());
-    this->Shading->SetMaps(&this->Baker.depthMap(), &this->Baker.channelMap());
+    this->Shading->SetMaps(&this->Baker.depthMap(), &this->Baker.channelMap(),
+                           &this->Baker.levelMap());
+    this->Shading->SetReads(this->Reads());
     this->Shading->SetLightFrame(this->Frame);
     this->Shading->SetSettings(this->Settings);
     {
@@ -150,7 +158,8 @@ void vtkUmbraFramePass::DrawFrame(const vtkRenderState* state) {
 }
 
 void vtkUmbraFramePass::Bake(const vtkRenderState* state) {
-  if (this->Stale == Stage::Nothing) return;
+  const bool levels = readsLevels(this->Settings.read.filter);
+  if (this->Stale == Stage::Nothing && !(levels && this->Baker.needsLevels())) return;
   if (this->Stale == Stage::Depth) this->BakeDepth(state);
   // VTK remembers which program it bound last; the baker binds others.
   windowOf(state->GetRenderer())->GetShaderCache()->ReleaseCurrentShader();
@@ -158,22 +167,26 @@ void vtkUmbraFramePass::Bake(const vtkRenderState* state) {
     const std::string refusal = this->Asked->refusal(this->Settings.map.format);
     if (!refusal.empty()) throw umbra::Error(ErrorKind::WorkFailed, refusal);
     this->Adapted = this->Asked->clone();
-    if (this->Adapted->adapts()) this->Adapted->adapt(this->GetDepthMap());
+    if (this->Adapted->adaptedSplitCount() > 0) this->Adapted->adapt(this->GetDepthMap());
     this->Adapted->limitTo(this->Settings.map.format);
     const gl::PassTimer::Scope time(this->Timer, "encode");
     this->Baker.encode(*this->Adapted, this->Settings.map.format);
   }
-  {
+  if (this->Stale <= Stage::Prefilter) {
     const gl::PassTimer::Scope time(this->Timer, "prefilter");
-    this->Baker.prefilter(this->Settings.kernel);
+    this->Baker.prefilter(blurOf(this->Settings));
   }
   this->Stale = Stage::Nothing;
+  if (levels && this->Baker.needsLevels()) {
+    const gl::PassTimer::Scope time(this->Timer, "levels");
+    this->Baker.buildLevels();
+  }
 }
 
 void vtkUmbraFramePass::BakeDepth(const vtkRenderState* state) {
   this->DepthValues.reset();
   const int size = this->Settings.map.size;
-  this->Baker.depthMap().require(GL_R32F, size, size);
+  this->Baker.prepareDepth(size, size);
   // The frame's y is turned round and the winding with it: culling what OpenGL takes for back
   // faces removes the faces towards the light.
   this->Caster->GetProperty()->SetBackfaceCulling(this->Settings.bias.cullFrontFaces);
@@ -227,7 +240,8 @@ void vtkUmbraFramePass::Show(vtkRenderer* renderer) {
 
   const std::string fragment = "#version 430\n#define UMBRA_VIEW " +
                                std::to_string(viewNumber(this->Settings.view, *this->Adapted)) +
-                               "\n" + techniqueSource(*this->Adapted) + View_frag_glsl;
+                               "\n" + techniqueSource(*this->Adapted, this->Reads()) +
+                               View_frag_glsl;
   const GLuint program = this->Programs.screen("view", FullScreen_vert_glsl, fragment);
   int width = 0, height = 0, left = 0, bottom = 0;
   renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
@@ -235,8 +249,9 @@ void vtkUmbraFramePass::Show(vtkRenderer* renderer) {
       {"umbraDepthMap", this->Baker.depthMap().name()},
       {"umbraColour", this->Shading->GetColour().name()},
       {"umbraSurfaces", this->Shading->GetSurfaces().name()},
-      {"umbraDepth", this->Shading->GetDepth().name()}};
-  for (int unit = 0; unit < 4; ++unit) {
+      {"umbraDepth", this->Shading->GetDepth().name()},
+      {"umbraFootprints", this->Shading->GetFootprints().name()}};
+  for (int unit = 0; unit < int(std::size(textures)); ++unit) {
     gl::setUniform(program, textures[unit].first, unit);
     glBindTextureUnit(GLuint(unit), textures[unit].second);
   }
@@ -246,7 +261,7 @@ void vtkUmbraFramePass::Show(vtkRenderer* renderer) {
   gl::setUniform(program, "umbraFullError", fullError);
   gl::setUniform(program, "umbraOrigin", left, bottom);
   gl::setUniform3(program, "umbraLayerColours", {layerColours[0].data(), 3 * layerColours.size()});
-  setReadUniforms(program, this->Settings.kernel, this->Settings.read.filter);
+  setReadUniforms(program, this->Reads());
   setTechniqueUniforms(program, *this->Adapted, this->Settings.map.format);
 
   if (!this->NoVertices) {
@@ -262,18 +277,22 @@ void vtkUmbraFramePass::Show(vtkRenderer* renderer) {
 }
 
 const DepthMap& vtkUmbraFramePass::GetDepthMap() {
-  if (!this->DepthValues) {
-    const gl::Texture& texture = this->Baker.depthMap();
-    const std::vector<float> values = texture.read(1);
-    this->DepthValues.emplace(texture.width(), texture.height());
-    std::copy(values.begin(), values.end(), this->DepthValues->values().begin());
-  }
+  if (!this->DepthValues) this->DepthValues = this->Baker.readDepth();
   return *this->DepthValues;
 }
 
+MapReads vtkUmbraFramePass::Reads() const {
+  MapReads reads;
+  reads.kernel = this->Settings.kernel;
+  reads.filter = this->Settings.read.filter;
+  reads.samples = this->Baker.samples();
+  reads.cascades = this->Baker.cascades();
+  return reads;
+}
+
 std::vector<float> vtkUmbraFramePass::EvaluateSurfaces() {
-  return this->Baker.evaluate(this->Shading->GetSurfaces(), *this->Adapted, this->Settings.kernel,
-                              this->Settings.read.filter);
+  return this->Baker.evaluate(this->Shading->GetSurfaces(), &this->Shading->GetFootprints(),
+                              *this->Adapted, this->Reads());
 }
 
 void vtkUmbraFramePass::ReleaseGraphicsResources(vtkWindow* window) {

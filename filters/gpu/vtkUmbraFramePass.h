@@ -63,6 +63,7 @@ class vtkUmbraFramePass : public vtkRenderPass {
   void DrawFrame(const vtkRenderState* state);
   void Bake(const vtkRenderState* state);
   void BakeDepth(const vtkRenderState* state);
+  MapReads Reads() const;  // of the maps as they are baked
   void CullInsides(vtkRenderer* renderer);
   void Show(vtkRenderer* renderer);
   bool CopyShaded(vtkRenderer* renderer);

@@ -23,6 +23,8 @@
 namespace umbra {
 namespace {
 
+constexpr GLenum drawBuffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2};
+
 // Grounds and walls lie behind what stands before them: drawn last, most of them is hidden and
 // never shaded.
 std::vector<vtkProp*> smallestFirst(const vtkRenderState* state) {
@@ -45,9 +47,10 @@ vtkUmbraShadingPass::vtkUmbraShadingPass() {
 }
 
 void vtkUmbraShadingPass::PrepareText() {
+  this->ActiveDrawBuffers = this->Reads.needFootprints() ? 3 : 2;
   const bool spot = this->Frame.kind == LightKind::Spot;
   std::string text = std::string("#define UMBRA_SPOT ") + (spot ? "1\n" : "0\n") +
-                     techniqueSource(*this->Shaded) + ShadeDeclarations_glsl;
+                     techniqueSource(*this->Shaded, this->Reads) + ShadeDeclarations_glsl;
   if (text == this->Declarations) return;
   this->Declarations = std::move(text);
   this->TextTime.Modified();
@@ -64,14 +67,20 @@ void vtkUmbraShadingPass::PrepareTransforms(vtkRenderer* renderer) {
   this->ToLight = (worldToView * toLight).cast<float>();
 }
 
-void vtkUmbraShadingPass::SetMaps(const gl::Texture* depth, const gl::Texture* channels) {
+void vtkUmbraShadingPass::SetMaps(const gl::Texture* depth, const gl::Texture* channels,
+                                  const gl::Texture* levels) {
   this->DepthMap = depth;
   this->ChannelMap = channels;
+  this->LevelMap = levels;
 }
 
 void vtkUmbraShadingPass::PrepareFramebuffer(vtkRenderer* renderer, int width, int height) {
   this->Colour.require(GL_RGBA8, width, height);
   this->Surfaces.require(GL_RGBA32F, width, height);
+  if (this->Reads.needFootprints())
+    this->Footprints.require(GL_RGBA32F, width, height);
+  else
+    this->Footprints = gl::Texture();
   // As the window's, so that it can be copied there.
   GLint window = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &window);
@@ -85,15 +94,17 @@ void vtkUmbraShadingPass::PrepareFramebuffer(vtkRenderer* renderer, int width, i
   const GLuint name = this->Framebuffer.name();
   glNamedFramebufferTexture(name, GL_COLOR_ATTACHMENT0, this->Colour.name(), 0);
   glNamedFramebufferTexture(name, GL_COLOR_ATTACHMENT1, this->Surfaces.name(), 0);
+  glNamedFramebufferTexture(name, GL_COLOR_ATTACHMENT2, this->Footprints.name(), 0);
   glNamedFramebufferTexture(name, GL_DEPTH_ATTACHMENT, this->Depth.name(), 0);
-  const GLenum buffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
-  glNamedFramebufferDrawBuffers(name, 2, buffers);
+  glNamedFramebufferDrawBuffers(name, this->ActiveDrawBuffers, drawBuffers);
   double background[3];
   renderer->GetBackground(background);
   const float colour[] = {float(background[0]), float(background[1]), float(background[2]), 1.0f};
   const float nothing[] = {-1.0f, -1.0f, 0.0f, 1.0f}, farthest = 1.0f;
   glClearNamedFramebufferfv(name, GL_COLOR, 0, colour);
   glClearNamedFramebufferfv(name, GL_COLOR, 1, nothing);
+  const float point[] = {0.0f, 0.0f, 1.0f, 0.0f};
+  if (this->Footprints) glClearNamedFramebufferfv(name, GL_COLOR, 2, point);
   glClearNamedFramebufferfv(name, GL_DEPTH, 0, &farthest);
 }
 
@@ -120,8 +131,8 @@ void vtkUmbraShadingPass::Render(const vtkRenderState* state) {
 
   gl->PushFramebufferBindings();
   gl->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer.name());
-  unsigned int buffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
-  gl->vtkglDrawBuffers(2, buffers);
+  std::vector<GLenum> buffers(drawBuffers, drawBuffers + this->ActiveDrawBuffers);
+  gl->vtkglDrawBuffers(unsigned(buffers.size()), buffers.data());
   gl->vtkglViewport(0, 0, width, height);
 
   vtkTextureUnitManager* units = gl->GetTextureUnitManager();
@@ -129,11 +140,14 @@ void vtkUmbraShadingPass::Render(const vtkRenderState* state) {
   this->ChannelUnit = units->Allocate();
   glBindTextureUnit(GLuint(this->DepthUnit), this->DepthMap->name());
   glBindTextureUnit(GLuint(this->ChannelUnit), this->ChannelMap->name());
+  this->LevelUnit = units->Allocate();
+  glBindTextureUnit(GLuint(this->LevelUnit), this->LevelMap->name());
   this->PreRender(state);
   this->NumberOfRenderedProps = 0;
   for (vtkProp* prop : smallestFirst(state))
     this->NumberOfRenderedProps += prop->RenderOpaqueGeometry(renderer);
   this->PostRender(state);
+  units->Free(this->LevelUnit);
   units->Free(this->ChannelUnit);
   units->Free(this->DepthUnit);
   gl->PopFramebufferBindings();
@@ -143,6 +157,7 @@ void vtkUmbraShadingPass::ReleaseGraphicsResources(vtkWindow* window) {
   this->Framebuffer.reset();
   this->Colour = gl::Texture();
   this->Surfaces = gl::Texture();
+  this->Footprints = gl::Texture();
   this->Depth = gl::Texture();
   this->Superclass::ReleaseGraphicsResources(window);
 }
@@ -176,25 +191,30 @@ bool vtkUmbraShadingPass::PostReplaceShaderValues(std::string&, std::string&,
   return true;
 }
 
-double vtkUmbraShadingPass::BiasTexels() const {
-  // From the read's position to the farthest centre of its taps, along either axis.
-  const double reach = this->Settings.kernel.effectiveRadius() +
-                       (this->Settings.read.filter == ReadFilter::Bilinear ? 1.0 : 0.5);
-  return this->Settings.bias.slope + (this->Settings.bias.receiverPlane ? reach : 0.0);
-}
-
 bool vtkUmbraShadingPass::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper*,
                                               vtkProp*, vtkOpenGLVertexArrayObject*) {
   const GLuint name = GLuint(program->GetHandle());
   gl::setUniform(name, "umbraDepthMap", this->DepthUnit);
   gl::setUniform(name, "umbraChannelMap", this->ChannelUnit);
+  gl::setUniform(name, "umbraMipMap", this->LevelUnit);
   gl::setUniformMatrix4(name, "umbraViewToLight", this->ViewToLight.data());
   gl::setUniform4(name, "umbraToLight", {this->ToLight.data(), 4});
   gl::setUniform(name, "umbraConstantBias", float(this->Settings.bias.constant));
-  gl::setUniform(name, "umbraSlopeTexels", float(this->BiasTexels()));
+  gl::setUniform(name, "umbraSlopeTexels", float(this->Settings.bias.slope));
+  gl::setUniform(name, "umbraReceiverPlane", this->Settings.bias.receiverPlane ? 1.0f : 0.0f);
+  const bool anisotropic = this->Reads.filter == ReadFilter::Anisotropic;
+  gl::setUniform(name, "umbraAnisotropy",
+                 anisotropic ? float(this->Settings.read.anisotropy) : 1.0f);
+  std::vector<float> ends, seams;
+  for (const Cascade& cascade : this->Cascades) {
+    ends.push_back(float(cascade.farDistance));
+    seams.push_back(float(cascade.seamDistance(this->Settings.map.cascades.seam)));
+  }
+  gl::setUniform(name, "umbraCascadeEnds", ends);
+  gl::setUniform(name, "umbraCascadeSeams", seams);
   setLightUniforms(name, this->Frame);
   setTechniqueUniforms(name, *this->Shaded, this->Settings.map.format);
-  setReadUniforms(name, this->Settings.kernel, this->Settings.read.filter);
+  setReadUniforms(name, this->Reads);
   return true;
 }
 

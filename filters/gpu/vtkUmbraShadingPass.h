@@ -6,10 +6,13 @@
 #include <vtkTimeStamp.h>
 
 #include <string>
+#include <vector>
 
+#include "filters/core/Cascades.h"
 #include "filters/core/FrameSettings.h"
 #include "filters/core/Light.h"
 #include "filters/core/Technique.h"
+#include "filters/gpu/TechniqueShader.h"
 #include "filters/gpu/gl/Texture.h"
 
 class vtkOpenGLRenderWindow;
@@ -23,7 +26,11 @@ class vtkUmbraShadingPass : public vtkOpenGLRenderPass {
 
   // All of these must outlive the next Render.
   void SetTechnique(Technique* technique) { this->Shaded = technique; }
-  void SetMaps(const gl::Texture* depth, const gl::Texture* channels);
+  // `levels` are the channels' mip levels; read only where the filter does.
+  void SetMaps(const gl::Texture* depth, const gl::Texture* channels, const gl::Texture* levels);
+  void SetReads(const MapReads& reads) { this->Reads = reads; }
+  // As many as the reads have; their seams are the settings'.
+  void SetCascades(const std::vector<Cascade>& cascades) { this->Cascades = cascades; }
   void SetLightFrame(const LightFrame& frame) { this->Frame = frame; }
   void SetSettings(const FrameSettings& settings) { this->Settings = settings; }
 
@@ -35,7 +42,9 @@ class vtkUmbraShadingPass : public vtkOpenGLRenderPass {
   // Bottom row first, as OpenGL has it.
   const gl::Texture& GetColour() const { return this->Colour; }      // 8-bit RGBA
   const gl::Texture& GetSurfaces() const { return this->Surfaces; }  // u, v, z_r, visibility
-  const gl::Texture& GetDepth() const { return this->Depth; }        // of the camera, [0,1]
+  // x, y, probes, cascade + weight of the next; written only where the reads need footprints.
+  const gl::Texture& GetFootprints() const { return this->Footprints; }
+  const gl::Texture& GetDepth() const { return this->Depth; }  // of the camera, [0,1]
   GLuint GetFramebuffer() const { return this->Framebuffer.name(); }
 
   bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
@@ -57,20 +66,22 @@ class vtkUmbraShadingPass : public vtkOpenGLRenderPass {
   void PrepareFramebuffer(vtkRenderer* renderer, int width, int height);
   void PrepareText();
   void PrepareTransforms(vtkRenderer* renderer);
-  double BiasTexels() const;
 
   Technique* Shaded = nullptr;
   std::string Declarations;  // the injected text
   vtkTimeStamp TextTime;
   const gl::Texture* DepthMap = nullptr;
   const gl::Texture* ChannelMap = nullptr;
+  const gl::Texture* LevelMap = nullptr;
   LightFrame Frame;
   FrameSettings Settings;
+  MapReads Reads;
+  std::vector<Cascade> Cascades;
   Eigen::Matrix4f ViewToLight = Eigen::Matrix4f::Identity();
   Eigen::Vector4f ToLight = Eigen::Vector4f::UnitZ();  // as ShadeDeclarations.glsl has it
-  int DepthUnit = 0, ChannelUnit = 1;
+  int DepthUnit = 0, ChannelUnit = 1, LevelUnit = 2;
 
-  gl::Texture Colour, Surfaces, Depth;
+  gl::Texture Colour, Surfaces, Footprints, Depth;
   gl::FramebufferHandle Framebuffer;
 };
 

@@ -94,7 +94,7 @@ class Parity : public test::GpuTest, public testing::WithParamInterface<Case> {
   }
 
   void prepare(const DepthMap& map) {
-    if (technique->adapts()) technique->adapt(map);
+    technique->adapt(map);
     baker->uploadDepth(map);
     baker->encode(*technique, GetParam().format);
   }
@@ -229,7 +229,8 @@ TEST_P(Parity, Visibility) {
         }
       gl::Texture table(GL_RGBA32F, map.width(), map.height());
       table.upload(4, {reads.values().begin(), reads.values().end()});
-      const std::vector<float> gpu = baker->evaluate(table, *technique, kernel, ReadFilter::Point);
+      const std::vector<float> gpu =
+          baker->evaluate(table, nullptr, *technique, {kernel, ReadFilter::Point});
       for (int y = 0; y < map.height(); ++y) {
         for (int x = 0; x < map.width(); ++x) {
           const Region region = regionAtTexel(map, kernel, x, y);

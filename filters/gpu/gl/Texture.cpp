@@ -12,28 +12,28 @@ GLenum transferFormat(int components) {
 
 }  // namespace
 
-Texture::Texture(GLenum internalFormat, int width, int height, int layers)
-    : format_(internalFormat), width_(width), height_(height), layers_(layers) {
+Texture::Texture(GLenum internalFormat, int width, int height, int layers, int levels)
+    : format_(internalFormat), width_(width), height_(height), layers_(layers), levels_(levels) {
   GLuint name = 0;
   glCreateTextures(layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D, 1, &name);
   handle_ = TextureHandle(name);
   if (layers > 0)
-    glTextureStorage3D(name, 1, internalFormat, width, height, layers);
+    glTextureStorage3D(name, levels, internalFormat, width, height, layers);
   else
-    glTextureStorage2D(name, 1, internalFormat, width, height);
+    glTextureStorage2D(name, levels, internalFormat, width, height);
   glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glTextureParameteri(name, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTextureParameteri(name, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
-void Texture::require(GLenum internalFormat, int width, int height, int layers) {
+void Texture::require(GLenum internalFormat, int width, int height, int layers, int levels) {
   if (handle_ && format_ == internalFormat && width_ == width && height_ == height &&
-      layers_ == layers)
+      layers_ == layers && levels_ == levels)
     return;
   // Free first: two large arrays at once may not fit.
   handle_.reset();
-  *this = Texture(internalFormat, width, height, layers);
+  *this = Texture(internalFormat, width, height, layers, levels);
 }
 
 std::vector<float> Texture::read(int components) const {
@@ -52,6 +52,21 @@ void Texture::upload(int components, const std::vector<float>& values) {
                         values.data());
   else
     glTextureSubImage2D(name(), 0, 0, 0, width_, height_, format, GL_FLOAT, values.data());
+}
+
+std::vector<float> Texture::readLayers(int components, int first, int count, int level) const {
+  const int width = std::max(width_ >> level, 1), height = std::max(height_ >> level, 1);
+  std::vector<float> values(std::size_t(width) * height * count * components);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glGetTextureSubImage(name(), level, 0, 0, first, width, height, count, transferFormat(components),
+                       GL_FLOAT, GLsizei(values.size() * sizeof(float)), values.data());
+  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  return values;
+}
+
+void Texture::uploadLayers(int components, int first, int count, const std::vector<float>& values) {
+  glTextureSubImage3D(name(), 0, 0, 0, first, width_, height_, count, transferFormat(components),
+                      GL_FLOAT, values.data());
 }
 
 GLenum depthFormatOf(GLuint framebuffer) {

@@ -1,21 +1,23 @@
 // Declarations that the shading pass puts into VTK's own fragment shader, after the technique's.
 
 uniform mat4 umbraViewToLight;  // rigid
-uniform mat4 umbraLightToClip;  // y turned round
+uniform mat4 umbraLightToClip;  // of the whole light; y turned round
 uniform vec4 umbraToLight;      // view space: the light's position and 1, or the way to it and 0
 uniform float umbraNear;         // world units
 uniform float umbraPerDistance;  // 1 / (far − near)
 uniform float umbraConstantBias;  // normalised depth
 uniform float umbraSlopeTexels;   // texels whose depth gain is subtracted as well
+uniform float umbraReceiverPlane;  // 1: also that of the texels that the filter reaches, 0: not
+uniform float umbraAnisotropy;     // probes of a footprint, at most; 1 for a trilinear filter
 
 // A plane seen edge-on gains depth without bound from texel to texel. Such a surface catches
 // hardly any light; a tenth of the depth range keeps it from casting its receiver to the front.
 const float umbraLargestBias = 0.1;
 
 // How much deeper, in normalised depth, the plane through `point` with `normal` (both light
-// space) lies one texel further along x and along y; absolute values.
+// space) lies one texel of the whole light's map further along x and along y; absolute values.
 vec2 umbraDepthPerTexel(vec3 point, vec3 normal) {
-  vec2 size = vec2(textureSize(umbraDepthMap, 0));
+  vec2 size = vec2(umbraMapSize());
   vec2 step = 2.0 / (size * abs(vec2(umbraLightToClip[0][0], umbraLightToClip[1][1])));
 #if !UMBRA_SPOT
   return abs(normal.xy / normal.z) * step * umbraPerDistance;
@@ -29,18 +31,101 @@ vec2 umbraDepthPerTexel(vec3 point, vec3 normal) {
 #endif
 }
 
-// (u, v, z_r, visibility); z_r is negated where the surface faces away from the light.
+#if UMBRA_CASCADES > 1
+uniform float umbraCascadeEnds[4];   // distances along the camera's axis, world units
+uniform float umbraCascadeSeams[4];  // where each begins to go over into the next
+
+bool umbraHolds(int cascade, vec2 whole) {
+  vec3 window = umbraCascadeWindows[cascade];
+  return all(greaterThanEqual(whole, window.xy)) && all(lessThanEqual(whole, window.xy + window.z));
+}
+
+// The cascade that a point is drawn from, and the weight of the next one, below 1. `whole` is its
+// (u, v) on the whole light's map, `distance` is along the camera's axis. What its own cascade's
+// window does not hold is left to the next.
+vec2 umbraCascadeOf(vec2 whole, float distance) {
+  const int last = UMBRA_CASCADES - 1;
+  int cascade = 0;
+  while (cascade < last && distance >= umbraCascadeEnds[cascade]) ++cascade;
+  float next = 0.0;
+  if (cascade < last && umbraHolds(cascade, whole) && umbraHolds(cascade + 1, whole)) {
+    float begin = umbraCascadeSeams[cascade], seam = umbraCascadeEnds[cascade] - begin;
+    // Less than 1 by so much that the sum with the cascade's number still is no whole one.
+    next = clamp((distance - begin) / max(seam, 1e-20), 0.0, 0.999999);
+  }
+  while (cascade < last && !umbraHolds(cascade, whole)) ++cascade;
+  return vec2(float(cascade), next);
+}
+#endif
+
+// What a pixel covers of the map, whose position moves by `dx` and `dy` (texels) to the next pixels:
+// the longer axis, and how many probes are spread along it so that each covers what the shorter
+// axis does. A texel is the least that a probe can cover.
+vec3 umbraFootprintOf(vec2 dx, vec2 dy) {
+  float longest = float(max(umbraMapSize().x, umbraMapSize().y));
+  vec2 axis = dot(dx, dx) > dot(dy, dy) ? dx : dy;
+  float longer = length(axis), shorter = min(length(dx), length(dy));
+  // Written so that what is no number, at the edge of a spot light's view, ends at the limit too.
+  if (!(longer < longest)) {
+    axis = vec2(longest, 0.0);
+    longer = shorter = longest;
+  }
+  float probes = clamp(ceil(longer / max(shorter, 1.0)), 1.0, umbraAnisotropy);
+  return vec3(axis, probes);
+}
+
+// From the read's position to the farthest centre of the texels that it averages along either axis.
+vec2 umbraReach(vec3 footprint) {
+  float kernel = float(umbraRadius);
+#if UMBRA_FILTER == 0
+  return vec2(kernel + 0.5);
+#elif UMBRA_FILTER == 1
+  return vec2(kernel + 1.0);
+#elif UMBRA_FILTER == 2
+  // One and a half texels of the coarser level, about the outermost probes.
+  float side = 1.0;
+  for (float covered = length(footprint.xy) / footprint.z; side < covered; side *= 2.0) {
+  }
+  vec2 probes = abs(footprint.xy) * (0.5 - 0.5 / footprint.z);
+  return kernel + 1.5 * side - 0.5 + probes;
+#else
+  return 0.5 * footprint.xy + 0.5;
+#endif
+}
+
+// (u, v, z_r, visibility); z_r is negated where the surface faces away from the light. (u, v) and
+// `footprint` = (x, y, probes, cascade + weight of the next one) are those of its cascade's map.
 // `position` and `shadingNormal` in view space.
-vec4 umbraShade(vec3 position, vec3 shadingNormal) {
+vec4 umbraShade(vec3 position, vec3 shadingNormal, out vec4 footprint) {
   vec3 point = (umbraViewToLight * vec4(position, 1.0)).xyz;
   vec4 clip = umbraLightToClip * vec4(point, 1.0);
   vec2 uv = 0.5 + 0.5 * clip.xy / clip.w;
   float distance = UMBRA_SPOT != 0 ? length(point) : -point.z;
   float z = (distance - umbraNear) * umbraPerDistance;
-
   // The triangle's own normal: an interpolated one tilts the plane and misses.
   vec2 gain = umbraDepthPerTexel(point, cross(dFdx(point), dFdy(point)));
-  float slopeBias = umbraSlopeTexels * (gain.x + gain.y);
+
+  footprint = vec4(0.0, 0.0, 1.0, 0.0);
+#if UMBRA_FILTER >= 2
+  vec2 dx = dFdx(uv) * vec2(umbraMapSize()), dy = dFdy(uv) * vec2(umbraMapSize());
+#endif
+  // Sides of texels, in those of the whole light's map: the cascade's, and the coarsest that is
+  // read.
+  float side = 1.0, coarsest = 1.0;
+#if UMBRA_CASCADES > 1
+  vec2 cascade = umbraCascadeOf(uv, -position.z);
+  vec3 window = umbraCascadeWindows[int(cascade.x)];
+  uv = (uv - window.xy) / window.z;
+  footprint.w = cascade.x + cascade.y;
+  side = coarsest = window.z;
+  if (cascade.y > 0.0) coarsest = max(side, umbraCascadeWindows[int(cascade.x) + 1].z);
+#endif
+#if UMBRA_FILTER == 2
+  footprint.xyz = umbraFootprintOf(dx / side, dy / side);
+#endif
+  // In a seam the receiver is one for both cascades, with the bias of the coarser.
+  vec2 reach = umbraReach(vec3(footprint.xy * side / coarsest, footprint.z));
+  float slopeBias = dot(umbraSlopeTexels + umbraReceiverPlane * reach, coarsest * gain);
   // Written so that a NaN from an exactly edge-on plane ends at the limit too.
   float bias = umbraConstantBias + (slopeBias < umbraLargestBias ? slopeBias : umbraLargestBias);
   float receiver = clamp(z - bias, 0.0, 1.0);
@@ -49,10 +134,7 @@ vec4 umbraShade(vec3 position, vec3 shadingNormal) {
   bool inside = clip.w > 0.0 && all(greaterThanEqual(uv, vec2(0.0))) &&
                 all(lessThanEqual(uv, vec2(1.0)));
   if (inside) {
-    umbraPosition = uv * vec2(textureSize(umbraDepthMap, 0));
-    float channels[UMBRA_CHANNELS];
-    umbraReadChannels(channels);
-    visibility = umbraVisibility(channels, receiver);
+    visibility = umbraVisibilityAt(vec4(uv, receiver, 1.0), footprint);
   } else if (uv.x < 0.0 || clip.w <= 0.0) {
     // A negative u marks pixels without a surface: what leaves the map to the left (or lies
     // behind a spot light) is recorded to the right of it.

@@ -1,73 +1,55 @@
-// Reads of the shadow map: what a technique's GLSL finds around itself.
-// UMBRA_CHANNELS is defined before it. Positions are in texels from the map's top-left corner,
-// y down; texel centres sit at half-integers.
+// Reads of the shadow map: what a technique's GLSL finds around itself. Defined before it, so that
+// what a frame does not do costs it nothing (a software renderer executes both sides of a branch):
+//   UMBRA_CHANNELS  of the technique
+//   UMBRA_PREFILTERED  0 where the technique reads raw texels
+//   UMBRA_FILTER    0 point, 1 bilinear, 2 trilinear and anisotropic, 3 summed-area table
+//   UMBRA_SAMPLES   depths a texel
+//   UMBRA_CASCADES  maps
+// Positions are in texels from a map's top-left corner, y down; texel centres sit at half-integers.
 
-uniform sampler2D umbraDepthMap;         // linear depth, row 0 on top
-uniform sampler2DArray umbraChannelMap;  // four channels a layer, row 0 on top
-uniform int umbraBilinear;               // 0: the nearest texel, 1: the four nearest
+#define UMBRA_LAYERS ((UMBRA_CHANNELS + 3) / 4)
+#define UMBRA_FOOTPRINTS (UMBRA_FILTER >= 2 || UMBRA_CASCADES > 1)
+
+uniform sampler2DArray umbraDepthMap;    // linear depth; layer: cascade * samples + sample
+uniform sampler2DArray umbraChannelMap;  // four channels a layer: cascade * UMBRA_LAYERS + layer
 uniform int umbraRadius;                 // of the kernel, texels
 uniform float umbraWeights[65];          // of the kernel along one axis, from its centre outwards
 uniform float umbraLow[UMBRA_CHANNELS];  // a channel's value is low + stored * span
 uniform float umbraSpan[UMBRA_CHANNELS];
+#if UMBRA_CASCADES > 1
+uniform vec3 umbraCascadeWindows[4];  // left, top and side in the whole light's (u, v)
+int umbraCascade = 0;
+#else
+const int umbraCascade = 0;
+#endif
 
-vec2 umbraPosition = vec2(0.0);  // of the read, set by the host before it asks for visibility
+// Of the read, set before the technique is asked for visibility.
+vec2 umbraPosition = vec2(0.0);               // in the map of umbraCascade
+vec3 umbraFootprint = vec3(0.0, 0.0, 1.0);  // texels along x and y, and probes; see umbraShade
 
-float umbraDepthAt(ivec2 texel) {
-  return texelFetch(umbraDepthMap, clamp(texel, ivec2(0), textureSize(umbraDepthMap, 0) - 1), 0).r;
+ivec2 umbraMapSize() { return textureSize(umbraDepthMap, 0).xy; }
+
+float umbraSampleDepth(ivec2 texel, int number) {
+  ivec2 inside = clamp(texel, ivec2(0), umbraMapSize() - 1);
+  return texelFetch(umbraDepthMap, ivec3(inside, umbraCascade * UMBRA_SAMPLES + number), 0).r;
 }
 
-// The first of the texels that the read mixes, and the weight of the second along each axis.
-ivec2 umbraFirstTexel(out vec2 second) {
-  vec2 corner = umbraBilinear != 0 ? umbraPosition - 0.5 : umbraPosition;
-  vec2 first = floor(corner);
-  second = umbraBilinear != 0 ? corner - first : vec2(0.0);
-  return ivec2(first);
-}
+// Of the first sample.
+float umbraNearestDepth() { return umbraSampleDepth(ivec2(floor(umbraPosition)), 0); }
 
-float umbraNearestDepth() { return umbraDepthAt(ivec2(floor(umbraPosition))); }
-
-float umbraKernelWeight(int tap) { return abs(tap) <= umbraRadius ? umbraWeights[abs(tap)] : 0.0; }
-
-// Weight of a tap of the kernel convolved with the read's own weights (1 - second, second).
-float umbraTapWeight(int tap, float second) {
-  return umbraKernelWeight(tap) * (1.0 - second) + umbraKernelWeight(tap - 1) * second;
-}
-
-// Exact percentage-closer filtering over the region that this read averages. Equality is lit.
-float umbraPercentageCloser(float receiver) {
-  vec2 second;
-  ivec2 first = umbraFirstTexel(second);
-  int last = umbraRadius + umbraBilinear;
-  float visible = 0.0;
-  for (int y = -umbraRadius; y <= last; ++y) {
-    float row = 0.0;
-    for (int x = -umbraRadius; x <= last; ++x)
-      if (umbraDepthAt(first + ivec2(x, y)) >= receiver) row += umbraTapWeight(x, second.x);
-    visible += umbraTapWeight(y, second.y) * row;
-  }
-  return min(visible, 1.0);
+// The part of a texel's samples that do not block. Equality is lit.
+float umbraCloser(ivec2 texel, float receiver) {
+#if UMBRA_SAMPLES > 1
+  float lit = 0.0;
+  for (int i = 0; i < UMBRA_SAMPLES; ++i)
+    lit += umbraSampleDepth(texel, i) >= receiver ? 1.0 : 0.0;
+  return lit / float(UMBRA_SAMPLES);
+#else
+  return umbraSampleDepth(texel, 0) >= receiver ? 1.0 : 0.0;
+#endif
 }
 
 vec4 umbraFour(ivec2 texel, int layer) {
   ivec2 inside = clamp(texel, ivec2(0), textureSize(umbraChannelMap, 0).xy - 1);
-  return texelFetch(umbraChannelMap, ivec3(inside, layer), 0);
-}
-
-// Mixed here and not by the texture unit, whose weights have as few as eight bits.
-void umbraReadChannels(out float channels[UMBRA_CHANNELS]) {
-  vec2 second;
-  ivec2 first = umbraFirstTexel(second);
-  for (int layer = 0; layer * 4 < UMBRA_CHANNELS; ++layer) {
-    vec4 four = umbraFour(first, layer);
-    if (umbraBilinear != 0) {
-      vec4 top = mix(four, umbraFour(first + ivec2(1, 0), layer), second.x);
-      vec4 bottom = mix(umbraFour(first + ivec2(0, 1), layer),
-                        umbraFour(first + ivec2(1, 1), layer), second.x);
-      four = mix(top, bottom, second.y);
-    }
-    for (int c = 0; c < 4 && layer * 4 + c < UMBRA_CHANNELS; ++c) {
-      int channel = layer * 4 + c;
-      channels[channel] = umbraLow[channel] + umbraSpan[channel] * four[c];
-    }
-  }
+  return texelFetch(umbraChannelMap, ivec3(inside, umbraCascade * UMBRA_LAYERS + layer), 0);
 }

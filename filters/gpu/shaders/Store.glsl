@@ -1,5 +1,6 @@
-// Stores of channels, for UMBRA_HALF 1 into 16-bit floats. Drivers may convert to 16-bit floats by any rounding they like (some cut the
-// digits off); here every value is rounded to the nearest half first, as the reference does.
+// Stores of channels, for UMBRA_HALF 1 into 16-bit floats. Drivers may convert to these by any
+// rounding they like (some cut the digits off); here every value is rounded to the nearest half
+// first, as the reference does.
 
 layout(binding = 0) writeonly uniform image2DArray umbraTarget;
 

@@ -1,15 +1,20 @@
 // Shows the shaded picture, or one quantity of it, and hands the scene's depth to what is drawn
-// over it. UMBRA_VIEW: 0 shaded, 1 visibility, 2 error, 3 depth, 4 layers.
+// over it. UMBRA_VIEW: 0 shaded, 1 visibility, 2 error, 3 depth, 4 layers,
+// 5 cascades.
 
 uniform sampler2D umbraColour;    // the shaded picture
 uniform sampler2D umbraSurfaces;  // u, v, z_r, visibility; u < 0 where there is no surface
 uniform sampler2D umbraDepth;     // of the camera, [0,1]
+#if UMBRA_FOOTPRINTS
+uniform sampler2D umbraFootprints;
+#endif
 uniform ivec2 umbraOrigin;        // of the viewport in the window, pixels
 uniform vec3 umbraNoErrorColour;
 uniform vec3 umbraBleedingColour;
 uniform vec3 umbraDarkeningColour;
 uniform float umbraFullError;
 uniform vec3 umbraLayerColours[8];  // taken in turn
+uniform vec3 umbraCascadeColours[4];
 
 layout(location = 0) out vec4 umbraShown;
 
@@ -18,11 +23,10 @@ vec3 umbraErrorColour(float error) {
   return mix(umbraNoErrorColour, end, min(abs(error) / umbraFullError, 1.0));
 }
 
-float umbraError(vec4 surface) {
+float umbraError(vec4 surface, vec4 footprint) {
   // What faces away receives nothing from the light, whatever the visibility.
   if (surface.z < 0.0 || any(greaterThan(abs(surface.xy - 0.5), vec2(0.5)))) return 0.0;
-  umbraPosition = surface.xy * vec2(textureSize(umbraDepthMap, 0));
-  return surface.w - umbraPercentageCloser(surface.z);
+  return surface.w - umbraReferenceAt(surface, footprint);
 }
 
 // A little of the shading stays, without hue, so that shapes can be told apart.
@@ -38,6 +42,15 @@ vec3 umbraLayerColour(float receiver) {
 }
 #endif
 
+#if UMBRA_VIEW == 5
+vec3 umbraCascadeColour(vec4 surface, vec4 footprint) {
+  if (any(greaterThan(abs(surface.xy - 0.5), vec2(0.5)))) return vec3(1.0);  // in no map
+  int cascade = int(footprint.w);
+  return mix(umbraCascadeColours[cascade], umbraCascadeColours[min(cascade + 1, 3)],
+             fract(footprint.w));
+}
+#endif
+
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy) - umbraOrigin;
   float depth = texelFetch(umbraDepth, pixel, 0).r;
@@ -46,15 +59,20 @@ void main() {
   vec4 colour = texelFetch(umbraColour, pixel, 0);
   umbraShown = vec4(colour.rgb, 1.0);
 #if UMBRA_VIEW != 0
-  vec4 surface = texelFetch(umbraSurfaces, pixel, 0);
+  vec4 surface = texelFetch(umbraSurfaces, pixel, 0), footprint = vec4(0.0, 0.0, 1.0, 0.0);
+#if UMBRA_FOOTPRINTS
+  footprint = texelFetch(umbraFootprints, pixel, 0);
+#endif
 #endif
 #if UMBRA_VIEW == 1
   umbraShown.rgb = vec3(surface.z < 0.0 ? 0.0 : surface.w);
 #elif UMBRA_VIEW == 2
-  umbraShown.rgb = umbraShading(colour.rgb) * umbraErrorColour(umbraError(surface));
+  umbraShown.rgb = umbraShading(colour.rgb) * umbraErrorColour(umbraError(surface, footprint));
 #elif UMBRA_VIEW == 3
   umbraShown.rgb = vec3(1.0 - abs(surface.z));
 #elif UMBRA_VIEW == 4
   umbraShown.rgb = umbraShading(colour.rgb) * umbraLayerColour(abs(surface.z));
+#elif UMBRA_VIEW == 5
+  umbraShown.rgb = umbraShading(colour.rgb) * umbraCascadeColour(surface, footprint);
 #endif
 }

@@ -7,7 +7,7 @@ void main() {
   ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
   int layer = int(gl_GlobalInvocationID.z);
   if (any(greaterThanEqual(texel, textureSize(umbraSource, 0).xy))) return;
-  bvec4 isMean = equal(umbraSigns[layer], vec4(0.0));
+  bvec4 isMean = equal(umbraSigns[layer % UMBRA_LAYERS], vec4(0.0));
   vec4 reduced = umbraTap(texel, layer);
   reduced = mix(reduced, reduced * umbraWeights[0], isMean);
   for (int tap = 1; tap <= umbraRadius; ++tap) {

@@ -1,0 +1,69 @@
+// What one pixel reads: after ShadowMapRead.glsl and the reads of its filter, which define
+// umbraPercentageCloser and umbraReadFour.
+
+float umbraVisibility(float channels[UMBRA_CHANNELS], float receiver);  // the technique's
+
+void umbraReadChannels(out float channels[UMBRA_CHANNELS]) {
+  for (int layer = 0; layer < UMBRA_LAYERS; ++layer) {
+    vec4 four = umbraReadFour(layer);
+    for (int c = 0; c < 4 && layer * 4 + c < UMBRA_CHANNELS; ++c) {
+      int channel = layer * 4 + c;
+      channels[channel] = umbraLow[channel] + umbraSpan[channel] * four[c];
+    }
+  }
+}
+
+// `uv` and `footprint` are of the pixel's own cascade, the read's may be another: texels of a
+// coarser map are fewer, but a box of a summed-area table is never narrower than the kernel.
+void umbraSetRead(vec2 uv, vec4 footprint, int cascade) {
+  umbraFootprint = footprint.xyz;
+#if UMBRA_CASCADES > 1
+  umbraCascade = cascade;
+  int own = int(footprint.w);
+  if (cascade != own) {
+    vec3 from = umbraCascadeWindows[own], to = umbraCascadeWindows[cascade];
+    uv = (from.xy + from.z * uv - to.xy) / to.z;
+    umbraFootprint.xy *= from.z / to.z;
+#if UMBRA_FILTER == 3
+    umbraFootprint.xy = max(umbraFootprint.xy, vec2(float(2 * umbraRadius + 1)));
+#endif
+  }
+#endif
+  umbraPosition = uv * vec2(umbraMapSize());
+}
+
+float umbraVisibilityOfRead(float receiver) {
+  float channels[UMBRA_CHANNELS];
+  umbraReadChannels(channels);
+  return umbraVisibility(channels, receiver);
+}
+
+// The technique's visibility of one pixel: (u, v, z_r, ·), (u, v) in [0,1] of its cascade's map, and
+// (x, y, probes, cascade + weight of the next cascade). Two cascades' visibilities are mixed, not
+// their channels.
+float umbraVisibilityAt(vec4 surface, vec4 footprint) {
+  umbraSetRead(surface.xy, footprint, int(footprint.w));
+  float visibility = umbraVisibilityOfRead(abs(surface.z));
+#if UMBRA_CASCADES > 1
+  float next = fract(footprint.w);
+  if (next > 0.0) {
+    umbraSetRead(surface.xy, footprint, int(footprint.w) + 1);
+    visibility = mix(visibility, umbraVisibilityOfRead(abs(surface.z)), next);
+  }
+#endif
+  return visibility;
+}
+
+// The same of exact percentage-closer filtering.
+float umbraReferenceAt(vec4 surface, vec4 footprint) {
+  umbraSetRead(surface.xy, footprint, int(footprint.w));
+  float reference = umbraPercentageCloser(abs(surface.z));
+#if UMBRA_CASCADES > 1
+  float next = fract(footprint.w);
+  if (next > 0.0) {
+    umbraSetRead(surface.xy, footprint, int(footprint.w) + 1);
+    reference = mix(reference, umbraPercentageCloser(abs(surface.z)), next);
+  }
+#endif
+  return reference;
+}
