@@ -14,7 +14,7 @@
 #include "filters/core/AtomicFile.h"
 #include "filters/core/Error.h"
 #include "filters/core/Text.h"
-#include "filters/techniques/lvsm/Lloyd.h"
+#include "filters/core/Lloyd.h"
 
 namespace umbra {
 namespace {

@@ -79,10 +79,9 @@ class Technique {
 
   // Sets what follows the data, such as LVSM's splits. Called once per depth map.
   virtual void adapt(const DepthMap&) {}
-  // Whether adapt() does anything with these parameters: the GPU reads its map back for it.
-  virtual bool adapts() const { return false; }
   // How many splits of the depth range follow the map's second occluders (Lauritzen 2008, §4.1.3):
-  // whoever has found them, adapt() or the GPU, gives them to setAdaptedSplits, ascending.
+  // whoever has found them, adapt() or the GPU, gives them to setAdaptedSplits, ascending. With 0
+  // adapt() does nothing.
   virtual int adaptedSplitCount() const { return 0; }
   virtual void setAdaptedSplits(std::span<const double>) {}
   // Why channels cannot be stored in this format; empty where they can.

@@ -34,6 +34,9 @@ class Handle {
 inline void destroyTexture(GLuint name) {
   glDeleteTextures(1, &name);
 }
+inline void destroyBuffer(GLuint name) {
+  glDeleteBuffers(1, &name);
+}
 inline void destroyFramebuffer(GLuint name) {
   glDeleteFramebuffers(1, &name);
 }
@@ -50,6 +53,7 @@ inline void destroyShader(GLuint name) {
   glDeleteShader(name);
 }
 
+using BufferHandle = Handle<destroyBuffer>;
 using FramebufferHandle = Handle<destroyFramebuffer>;
 using VertexArrayHandle = Handle<destroyVertexArray>;
 using QueryHandle = Handle<destroyQuery>;

@@ -42,7 +42,10 @@ std::vector<Channel> LayeredPowerCdf::channels() const {
 }
 
 void LayeredPowerCdf::adapt(const DepthMap& map) {
-  adaptedSplits_ = adaptedSplits(values, map);
+  setAdaptedSplits(relaxedSplits(values, map));
+}
+void LayeredPowerCdf::setAdaptedSplits(std::span<const double> splits) {
+  adaptedSplits_ = keptApart(splits);
 }
 
 void LayeredPowerCdf::encode(double z, std::span<double> channels) const {

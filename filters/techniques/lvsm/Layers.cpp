@@ -3,7 +3,7 @@
 #include <string>
 
 #include "filters/core/Error.h"
-#include "filters/techniques/lvsm/Lloyd.h"
+#include "filters/core/Lloyd.h"
 
 namespace umbra {
 namespace {
@@ -50,10 +50,18 @@ std::vector<Parameter> bindLayerParameters(std::vector<Parameter> parameters,
   return parameters;
 }
 
-std::vector<double> adaptedSplits(const LayerParameters& values, const DepthMap& map) {
-  if (values.placement != LayerPlacement::Lloyd || values.layers < 2) return {};
-  std::vector<double> splits =
-      relax(secondOccluderSamples(map), {.splits = values.layers - 1}).splits;
+int adaptedSplitCount(const LayerParameters& values) {
+  return values.placement == LayerPlacement::Lloyd ? values.layers - 1 : 0;
+}
+
+std::vector<double> relaxedSplits(const LayerParameters& values, const DepthMap& map) {
+  const int count = adaptedSplitCount(values);
+  if (count == 0) return {};
+  return relax(secondOccluderSamples(map), {.splits = count}).splits;
+}
+
+std::vector<double> keptApart(std::span<const double> found) {
+  std::vector<double> splits(found.begin(), found.end());
   const std::size_t count = splits.size();
   for (std::size_t k = 0; k < count; ++k)
     splits[k] = std::max(splits[k], (k == 0 ? 0.0 : splits[k - 1]) + smallestLayer);

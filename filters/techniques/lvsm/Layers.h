@@ -89,11 +89,15 @@ struct Layering {
   }
 };
 
-// Splits by Lloyd's relaxation for `map` if the values ask for it, else none. The result is for
-// `layeringOf`: inside (0,1), and at least 1e-4 apart.
-std::vector<double> adaptedSplits(const LayerParameters& values, const DepthMap& map);
+// How many splits the values want Lloyd's relaxation to find.
+int adaptedSplitCount(const LayerParameters& values);
+// Those splits for `map`, ascending, on the CPU.
+std::vector<double> relaxedSplits(const LayerParameters& values, const DepthMap& map);
+// Ascending splits as layers can have them: inside (0,1), and at least 1e-4 apart. A second
+// occluder μ + σ, and with it a split, may lie beyond 1.
+std::vector<double> keptApart(std::span<const double> found);
 
-// The layers that the values describe. `adapted` is what adaptedSplits gave; uniform splits stand
+// The layers that the values describe. `adapted` is what keptApart gave; uniform splits stand
 // in where Lloyd's are asked for and there are none for this number of layers.
 Layering layeringOf(const LayerParameters& values, std::span<const double> adapted);
 

@@ -40,7 +40,10 @@ std::vector<Channel> Lvsm::channels() const {
 }
 
 void Lvsm::adapt(const DepthMap& map) {
-  adaptedSplits_ = adaptedSplits(values, map);
+  setAdaptedSplits(relaxedSplits(values, map));
+}
+void Lvsm::setAdaptedSplits(std::span<const double> splits) {
+  adaptedSplits_ = keptApart(splits);
 }
 
 void Lvsm::encode(double z, std::span<double> channels) const {

@@ -33,7 +33,8 @@ class Lvsm final : public TechniqueWith<Lvsm, LvsmParameters> {
   std::vector<Channel> channels() const override;
   // Call again after a change of layers or placement.
   void adapt(const DepthMap& map) override;
-  bool adapts() const override { return values.placement == LayerPlacement::Lloyd; }
+  int adaptedSplitCount() const override { return umbra::adaptedSplitCount(values); }
+  void setAdaptedSplits(std::span<const double> splits) override;
   void encode(double z, std::span<double> channels) const override;
   double visibility(const Fetch& fetch, double receiver) const override;
   std::string_view glsl() const override;

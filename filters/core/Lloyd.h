@@ -1,0 +1,101 @@
+// Where to split depth into layers: weighted one-dimensional k-means (Lloyd's relaxation) over the
+// second occluders of a shadow map (Lauritzen 2008, §4.1.2–4.1.3).
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "filters/core/Image.h"
+
+namespace umbra {
+
+struct WeightedSample {
+  double value = 0.0;   // depth; μ + σ may lie a little beyond 1
+  double weight = 0.0;  // variance, depth²
+};
+
+// Variances below `low` count as `low`, those above `high` as `high`.
+struct WeightClamp {
+  double low = 0.0;
+  double high = std::numeric_limits<double>::infinity();
+};
+
+// One sample between every four texels: the mean plus the standard deviation of the four depths,
+// which is the farther one where two depths share them evenly, weighted by their variance. Of a
+// texel's samples the first counts. Values and weights are rounded to single precision, as the GPU
+// keeps them: both then find every sample nearest to the same split.
+// (width − 1)·(height − 1) samples, row by row; none for a map that is one texel wide or high.
+std::vector<WeightedSample> secondOccluderSamples(const DepthMap& map, WeightClamp clamp = {});
+
+struct LloydOptions {
+  int splits = 3;              // how many to place, ≥ 0
+  int maxIterations = 100000;  // stops there if something still moves
+  // How many splits an iteration moves, in turn: 0 is all of them; the paper's interactive mode
+  // moves two in a frame.
+  int movedPerIteration = 0;
+  // Ascending, `splits` values: where to start. Empty is uniform, k/(splits + 1).
+  std::vector<double> start;
+};
+
+struct LloydResult {
+  std::vector<double> splits;  // ascending
+  // Σ w·(x − nearest split)² / Σ w as each iteration found it, the first before any move. It never
+  // rises. Zeros where no sample has weight.
+  std::vector<double> cost;
+  int iterations = 0;  // the last one of a converged run moved nothing
+  int teleports = 0;   // splits without samples that were moved into the heaviest cluster
+};
+
+// What a cluster's samples of positive weight add up to. Long sums about mid-depth, since the cost
+// is their difference.
+struct ClusterSums {
+  long double weight = 0.0L, first = 0.0L, second = 0.0L;  // Σw, Σw·u, Σw·u², u = x − ½
+  // Of the samples' values; an empty range where there is none.
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+};
+
+// The relaxation without its samples: it says of which clusters it wants the sums, and moves the
+// splits when it is given them. Whoever adds up, the CPU or the GPU, splits move alike.
+class Relaxation {
+ public:
+  explicit Relaxation(const LloydOptions& options);
+
+  // Whether nothing moved in turn for all splits, or the iterations are used up.
+  bool settled() const;
+  // Ascending values that divide the samples into the clusters that are wanted next: cluster i has
+  // those above ends()[i − 1] and up to ends()[i]. As many as splits at most.
+  std::vector<double> ends() const;
+  // Sums of the ends().size() + 1 clusters, in ascending order.
+  void take(std::span<const ClusterSums> clusters);
+  // Goes on from where the splits are, for other samples. Iterations are counted anew.
+  void resume();
+
+  const LloydResult& result() const { return result_; }
+
+ private:
+  // A cluster that is to be divided for the sake of a split that has no samples.
+  struct Division {
+    std::size_t heaviest = 0, dead = 0;  // splits
+    double end = 0.0;                    // between the two halves
+  };
+
+  void divide(std::span<const ClusterSums> clusters, std::size_t dead);
+  void teleport(std::span<const ClusterSums> clusters);
+
+  LloydOptions options_;
+  LloydResult result_;
+  std::optional<Division> division_;  // waits for the sums of the two halves
+  std::size_t next_ = 0;              // the split whose turn it is
+  std::size_t still_ = 0;             // how many were looked at since anything moved
+};
+
+// Moves each split to the weighted mean of the samples nearest to it until nothing moves. A split
+// whose samples weigh nothing is taken out, and the heaviest cluster that has more than one value
+// is divided at its mean instead. Values must be finite and weights ≥ 0.
+LloydResult relax(std::vector<WeightedSample> samples, const LloydOptions& options);
+
+}  // namespace umbra

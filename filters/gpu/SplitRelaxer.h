@@ -1,0 +1,72 @@
+// Lloyd's relaxation of layer splits on the GPU (Lauritzen 2008, §4.1.3): the samples between
+// texels and their weighted sums are made there, and a few numbers for each split come back.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+#include "filters/core/Lloyd.h"
+#include "filters/gpu/SplitPace.h"
+#include "filters/gpu/gl/Program.h"
+#include "filters/gpu/gl/Texture.h"
+
+namespace umbra {
+
+// Every call needs a current context (4.5 core) and leaves no program bound.
+class SplitRelaxer {
+ public:
+  explicit SplitRelaxer(WeightClamp clamp = {}) : clamp_(clamp) {}
+
+  // The depth map is another one than at the last `advance`.
+  void mapChanged() { mapChanged_ = true; }
+
+  // Whether `advance` has anything to do.
+  bool due(int count, SplitPace pace) const {
+    return mapChanged_ || moving() || pace != pace_ || int(splits().size()) != count;
+  }
+  // One frame's work on `count` splits of `depth`, an array of R32F textures with linear depth of
+  // which the first layer is read, two texels a side at least. Another count starts from uniform
+  // splits. At a gradual pace it takes what an earlier frame asked for, if it has arrived, and asks
+  // for more until nothing moves; then it costs nothing. Returns whether splits() changed.
+  bool advance(const gl::Texture& depth, int count, SplitPace pace);
+
+  // Whether a later frame will move splits, as far as is known.
+  bool moving() const { return relaxation_ && !relaxation_->settled(); }
+  std::vector<double> splits() const { return result().splits; }  // ascending
+  // Of the present map: what it took, and the cost before each iteration.
+  LloydResult result() const { return relaxation_ ? relaxation_->result() : LloydResult{}; }
+
+  void releaseGraphicsResources();
+
+ private:
+  struct DeleteSync {
+    using pointer = GLsync;
+    void operator()(GLsync sync) const { glDeleteSync(sync); }
+  };
+  using Fence = std::unique_ptr<std::remove_pointer_t<GLsync>, DeleteSync>;
+
+  void start(int count, SplitPace pace);
+  void takeSamples(const gl::Texture& depth);
+  void request();
+  bool arrived() const;
+  void receive();
+  void freeMemory();
+
+  WeightClamp clamp_;
+  SplitPace pace_ = SplitPace::Converged;
+  std::optional<Relaxation> relaxation_;
+  bool mapChanged_ = true;
+
+  gl::ProgramCache programs_;
+  // There only while splits move: value and weight, and two buffers that take turns for sums.
+  gl::Texture samples_;
+  gl::BufferHandle fine_, coarse_;
+  std::size_t capacity_ = 0;  // bytes of either buffer
+  GLuint sums_ = 0;           // the buffer that will hold one sum a cluster
+  std::size_t asked_ = 0;     // clusters whose sums are on their way
+  Fence fence_;
+};
+
+}  // namespace umbra
