@@ -2,11 +2,13 @@
 
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QImage>
 #include <QTextBrowser>
 #include <QTextDocument>
+#include <QUrl>
 #include <QVBoxLayout>
 
-#include "filters/core/Technique.h"
+#include "filters/core/TechniquePage.h"
 #include "ui/widgets/Style.h"
 
 namespace umbra {
@@ -35,8 +37,15 @@ QTextBrowser* openPage(const QString& title, const QSize& size, QWidget* parent)
 }  // namespace
 
 void showTechniquePage(const Technique& technique, QWidget* parent) {
-  QTextBrowser* page = openPage(style::text(technique.info().title), {680, 560}, parent);
-  page->document()->setMarkdown(style::text(technique.page()));
+  QTextBrowser* page = openPage(style::text(technique.info().title), {760, 680}, parent);
+  const std::string text = pageOf(*technique.clone());
+  page->document()->setMarkdown(style::text(text));
+  for (const std::string& name : pictureNames(text)) {
+    const std::span<const unsigned char> bytes = pagePicture(name);
+    const QImage picture = QImage::fromData(bytes.data(), int(bytes.size()));
+    page->document()->addResource(QTextDocument::ImageResource, QUrl(QString::fromStdString(name)),
+                                  picture);
+  }
 }
 
 void showShortcuts(const std::vector<std::pair<QString, QString>>& shortcuts, QWidget* parent) {

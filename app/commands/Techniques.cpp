@@ -4,17 +4,10 @@
 #include "app/Table.h"
 #include "app/commands/Commands.h"
 #include "filters/core/TechniqueCatalogue.h"
-#include "filters/core/Text.h"
+#include "filters/core/TechniquePage.h"
 
 namespace umbra {
 namespace {
-
-std::string rangeOf(const Parameter& parameter) {
-  if (parameter.choices.empty())
-    return shortNumber(parameter.low) + " … " + shortNumber(parameter.high);
-  const std::vector<std::string> names(parameter.choices.begin(), parameter.choices.end());
-  return joined(names, "|");
-}
 
 void printTable(const std::vector<std::unique_ptr<Technique>>& techniques) {
   std::vector<TableRow> rows{{"NAME", "TITLE", "AFTER", "STORES"}};
@@ -25,7 +18,7 @@ void printTable(const std::vector<std::unique_ptr<Technique>>& techniques) {
                     std::string(info.summary)});
     for (const Parameter& p : technique->parameters())
       parameters.push_back({std::string(info.id) + "." + std::string(p.name), std::string(p.symbol),
-                            std::string(p.unit), rangeOf(p), toText(p.defaultValue),
+                            std::string(p.unit), rangeText(p), toText(p.defaultValue),
                             std::string(p.doc)});
   }
   print(tableText(rows) + "\n" + tableText(parameters));
@@ -41,6 +34,10 @@ void listTechniques(bool json) {
   printJson({{"techniques", list}});
 }
 
+void printPage(const std::string& id) {
+  print(pageOf(*allTechniques().make(id, "techniques")));
+}
+
 }  // namespace
 
 Command addTechniques(CLI::App& program) {
@@ -48,7 +45,11 @@ Command addTechniques(CLI::App& program) {
       program.add_subcommand("techniques", "List the techniques and their parameters");
   const auto json = std::make_shared<bool>(false);
   command->add_flag("--json", *json, "Print one JSON object");
-  return {command, [json] { listTechniques(*json); }};
+  const auto name = std::make_shared<std::string>();
+  command->add_option("name", *name, "Print this technique's page, Markdown")
+      ->type_name("NAME")
+      ->excludes("--json");
+  return {command, [json, name] { name->empty() ? listTechniques(*json) : printPage(*name); }};
 }
 
 }  // namespace umbra
