@@ -36,6 +36,18 @@ TEST_F(Frame, RedoesOnlyWhatChanged) {
   settings.kernel.radius += 1;
   showAgain();
   EXPECT_EQ(passes(), "prefilter shade view");
+  settings.read.filter = ReadFilter::Trilinear;
+  showAgain();
+  EXPECT_EQ(passes(), "levels shade view");
+  settings.read = {ReadFilter::Anisotropic, 4};
+  showAgain();
+  EXPECT_EQ(passes(), "shade view") << "the same levels";
+  settings.kernel.radius -= 1;
+  showAgain();
+  EXPECT_EQ(passes(), "prefilter levels shade view");
+  settings.read.filter = ReadFilter::Bilinear;
+  showAgain();
+  EXPECT_EQ(passes(), "shade view");
   settings.map.format = StorageFormat::Half;
   showAgain();
   EXPECT_EQ(passes(), "encode prefilter shade view");

@@ -14,10 +14,11 @@ inline const double eps = unitRoundoff(StorageFormat::Float);
 // How far visibility moves when every input is off by `roundings` float roundings: the GPU's
 // result must be the exact one for inputs within that distance (mixed stability), up to as many
 // roundings of its own. The technique declares how many its formula has. A normalised format's
-// channel is low + span · stored, rounded in terms of its range.
+// channel is low + span · stored, rounded in terms of its range. `reading` counts the roundings of
+// the read that gave the channels; values of both signs are rounded in terms of their range too.
 inline double visibilityError(const Technique& technique, StorageFormat format, const Fetch& fetch,
-                              double receiver) {
-  const double roundings = technique.info().roundings;
+                              double receiver, int reading = 0) {
+  const double roundings = technique.info().roundings + reading;
   const double exact = technique.visibility(fetch, receiver);
   double error = roundings * eps * technique.info().amplification;
   std::vector<double> channels(fetch.channels.begin(), fetch.channels.end());
@@ -29,7 +30,8 @@ inline double visibilityError(const Technique& technique, StorageFormat format, 
   for (std::size_t c = 0; c < channels.size(); ++c) {
     double& channel = channels[c];
     const double value = channel;
-    const double size = isNormalised(format)
+    const bool bothSigns = reading > 0 && layout[c].low < 0.0 && layout[c].high > 0.0;
+    const double size = isNormalised(format) || bothSigns
                             ? std::max(std::abs(layout[c].low), std::abs(layout[c].high))
                             : std::abs(value);
     worst([&](double relative) {

@@ -36,5 +36,18 @@ TEST(TextureBytes, CountWholeLayersOfFour) {
   EXPECT_EQ(texelBytesOf("power-cdf", StorageFormat::Float, KernelShape::Box), 4u + 3u * 16u);
 }
 
+// Levels of 32, 16 … 1 texels a side beside the 64 of the map.
+TEST(TextureBytes, CountMipLevelsSamplesAndCascades) {
+  FrameSettings settings = settingsOf(StorageFormat::Half, KernelShape::None);
+  const auto technique = allTechniques().make("vsm");
+  settings.read.filter = ReadFilter::Trilinear;
+  const std::size_t levels = 32 * 32 + 16 * 16 + 8 * 8 + 4 * 4 + 2 * 2 + 1;
+  EXPECT_EQ(textureBytes(settings, *technique), 64 * 64 * (4 + 4) + levels * 4);
+  settings.map.samples = 4;
+  EXPECT_EQ(textureBytes(settings, *technique), 64 * 64 * (4 * 4 + 4) + levels * 4);
+  settings.map.cascades.count = 3;
+  EXPECT_EQ(textureBytes(settings, *technique), 3 * (64 * 64 * (4 * 4 + 4) + levels * 4));
+}
+
 }  // namespace
 }  // namespace umbra

@@ -1,0 +1,185 @@
+// What layered techniques store on the GPU, and how their splits follow the map from frame to
+// frame.
+#include <algorithm>
+
+#include "filters/core/Lloyd.h"
+#include "filters/core/Prefilter.h"
+#include "filters/gpu/ChannelBaker.h"
+#include "tests/gpu/FrameFixture.h"
+#include "tests/gpu/ParityFixture.h"
+
+namespace umbra::test {
+namespace {
+
+void set(Technique& technique, std::string_view name, std::string_view text) {
+  parameterNamed(technique.parameters(), name, "test").setFromText(text, "test");
+}
+
+std::unique_ptr<Technique> lvsmOf(int layers, std::string_view placement = "uniform") {
+  std::unique_ptr<Technique> technique = allTechniques().make("lvsm");
+  set(*technique, "layers", std::to_string(layers));
+  set(*technique, "placement", placement);
+  return technique;
+}
+
+class Layers : public FrameFixture {
+ protected:
+  void showLayers(std::unique_ptr<Technique> layered) {
+    show(slabAndBall(), "hard");
+    technique = std::move(layered);
+    renderer->setTechnique(*technique);
+    renderer->render();
+  }
+};
+
+// Lauritzen 2008, §4.1.3: two layers to a texture of four 16-bit components.
+TEST_F(Layers, StoresTwoLayersInATexture) {
+  ChannelBaker baker;
+  baker.uploadDepth(testMaps().front().second);
+  for (int layers = 2; layers <= 16; ++layers) {
+    baker.encode(*lvsmOf(layers), StorageFormat::Unorm16);
+    EXPECT_EQ(baker.channelMap().format(), GLenum(GL_RGBA16));
+    EXPECT_EQ(baker.channelMap().layers(), (layers + 1) / 2) << layers << " layers";
+  }
+  baker.encode(*lvsmOf(1), StorageFormat::Unorm16);
+  EXPECT_EQ(baker.channelMap().format(), GLenum(GL_RG16));
+  EXPECT_EQ(baker.channelMap().layers(), 1);
+}
+
+// All layers come from one depth map, drawn once, in one pass over its texels.
+TEST_F(Layers, EncodesAnyNumberInOnePass) {
+  for (int layers : {1, 2, 5, 16}) {
+    showLayers(lvsmOf(layers));
+    EXPECT_EQ(passes(), "encode prefilter shade view") << layers << " layers";
+    EXPECT_EQ(renderer->channels(BakeStage::Encoded).channels(), 2 * layers);
+  }
+}
+
+// φ is z up to two roundings, and what is stored up to one more step of the format.
+TEST_F(Layers, OneLayerIsVsm) {
+  const std::unique_ptr<Technique> vsm = allTechniques().make("vsm"), one = lvsmOf(1);
+  const Kernel kernel{KernelShape::Box, 2};
+  for (const auto& [name, map] : testMaps()) {
+    for (auto format : {StorageFormat::Unorm16, StorageFormat::Half, StorageFormat::Float}) {
+      SCOPED_TRACE(name + " in " + std::string(nameOf(format)));
+      const double storage = 2.0 * unitRoundoff(format) + 4.0 * eps;
+      ChannelBaker baker;
+      baker.uploadDepth(map);
+      baker.encode(*vsm, format);
+      baker.prefilter(kernel);
+      const Image<float> plain = baker.read(BakeStage::Prefiltered);
+      Image<float> reads(map.width(), map.height(), 4);
+      for (int y = 0; y < map.height(); ++y)
+        for (int x = 0; x < map.width(); ++x) {
+          reads(x, y, 0) = float((x + 0.5) / map.width());
+          reads(x, y, 1) = float((y + 0.5) / map.height());
+          reads(x, y, 2) = plain(x, y, 0) + 0.05f * float(x % 7);
+        }
+      gl::Texture table(GL_RGBA32F, map.width(), map.height());
+      table.upload(4, {reads.values().begin(), reads.values().end()});
+      const MapReads read{kernel, ReadFilter::Point};
+      const std::vector<float> expected = baker.evaluate(table, nullptr, *vsm, read);
+
+      baker.encode(*one, format);
+      baker.prefilter(kernel);
+      const Image<float> layered = baker.read(BakeStage::Prefiltered);
+      ASSERT_EQ(layered.channels(), 2);
+      for (std::size_t i = 0; i < plain.values().size(); ++i)
+        ASSERT_NEAR(layered.values()[i], plain.values()[i], storage) << "value " << i;
+      // The same channels for both, so that only the formulas are compared.
+      baker.upload(BakeStage::Prefiltered, plain);
+      const std::vector<float> visibility = baker.evaluate(table, nullptr, *one, read);
+      for (int y = 0; y < map.height(); ++y)
+        for (int x = 0; x < map.width(); ++x) {
+          const std::vector<double> channels{plain(x, y, 0), plain(x, y, 1)};
+          const Region region = regionAtTexel(map, kernel, x, y);
+          const Fetch fetch{channels, region};
+          const std::size_t pixel = 2 * (std::size_t(y) * map.width() + x);
+          ASSERT_NEAR(visibility[pixel], expected[pixel],
+                      visibilityError(*vsm, format, fetch, reads(x, y, 2)) +
+                          visibilityError(*one, format, fetch, reads(x, y, 2)))
+              << "texel " << x << "," << y;
+        }
+    }
+  }
+}
+
+// Without a display all splits are at rest before the frame is drawn, and are the reference's.
+TEST_F(Layers, AFrameHasTheReferencesSplits) {
+  showLayers(lvsmOf(4, "lloyd"));
+  EXPECT_EQ(passes(), "splits encode prefilter shade view");
+  EXPECT_FALSE(renderer->splitsMoving());
+  const std::vector<double> splits = renderer->adaptedSplits();
+  const LloydResult reference = relax(secondOccluderSamples(renderer->depthMap()), {.splits = 3});
+  ASSERT_EQ(splits.size(), 3u);
+  // Means of sums of at most (1024/128)² + 2·128 terms in double.
+  for (int k = 0; k < 3; ++k)
+    EXPECT_NEAR(splits[k], reference.splits[k], 2.0 * 320 * unitRoundoff(StorageFormat::Double));
+  renderer->render();
+  EXPECT_EQ(passes(), "shade view") << "splits at rest cost nothing";
+
+  // Another technique with as many layers shares them.
+  technique = allTechniques().make("layered-power-cdf");
+  set(*technique, "placement", "lloyd");
+  renderer->setTechnique(*technique);
+  renderer->render();
+  EXPECT_EQ(passes(), "encode prefilter shade view");
+  EXPECT_EQ(renderer->adaptedSplits(), splits);
+  renderer->setTechnique(*allTechniques().make("vsm"));
+  renderer->render();
+  EXPECT_TRUE(renderer->adaptedSplits().empty());
+}
+
+// In a window they come to rest over frames, and the copy that is given the frame's splits encodes
+// as the frame does all the while.
+TEST_F(Layers, InAWindowSplitsMoveFromFrameToFrame) {
+  settings.map.size = 128;
+  settings.kernel = {KernelShape::None, 0};
+  show(slabAndBall(), "hard");
+  technique = lvsmOf(4, "lloyd");
+  renderer->setSplitPace(SplitPace::Gradual);
+  renderer->setTechnique(*technique);
+  renderer->render();
+  EXPECT_EQ(renderer->adaptedSplits(), (std::vector<double>{0.25, 0.5, 0.75}));
+  const DepthMap map = renderer->depthMap();
+  int frames = 1;
+  for (; renderer->splitsMoving() && frames < 1000; ++frames) {
+    const Image<float> channels = renderer->channels(BakeStage::Encoded);
+    const std::unique_ptr<Technique> copy = technique->clone();
+    copy->setAdaptedSplits(renderer->adaptedSplits());
+    const Image<double> exact = encodeMap(map, *copy, StorageFormat::Double);
+    // p, q and z are rounded, and their differences divided by a layer of at least 1e-4 + δ.
+    const double narrowest = 0.01;
+    for (std::size_t i = 0; i < exact.values().size(); ++i)
+      ASSERT_NEAR(channels.values()[i], exact.values()[i], 8.0 * eps / narrowest)
+          << "frame " << frames;
+    glFinish();
+    renderer->render();
+  }
+  EXPECT_FALSE(renderer->splitsMoving());
+  const std::vector<double> splits = renderer->adaptedSplits();
+  const std::vector<WeightedSample> samples = secondOccluderSamples(map);
+  const LloydResult two = relax(samples, {.splits = 3, .movedPerIteration = 2});
+  EXPECT_EQ(frames, 1 + two.iterations + two.teleports);
+  renderer->render();
+  EXPECT_EQ(passes(), "shade view");
+
+  // A light that moves a little starts from them.
+  Light light = slabAndBall()->light;
+  light.position.x() += 0.1;
+  renderer->setLight(light);
+  renderer->render();
+  EXPECT_EQ(renderer->adaptedSplits(), splits);
+  EXPECT_TRUE(renderer->splitsMoving());
+  // At the other pace the frame has them where the reference does.
+  renderer->setSplitPace(SplitPace::Converged);
+  renderer->render();
+  EXPECT_FALSE(renderer->splitsMoving());
+  const LloydResult all = relax(secondOccluderSamples(renderer->depthMap()), {.splits = 3});
+  for (int k = 0; k < 3; ++k)
+    EXPECT_NEAR(renderer->adaptedSplits()[k], all.splits[k],
+                2.0 * 272 * unitRoundoff(StorageFormat::Double));
+}
+
+}  // namespace
+}  // namespace umbra::test
