@@ -1,0 +1,46 @@
+// What the plots of a region have in common.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "analysis/Plot.h"
+#include "analysis/Probe.h"
+
+namespace umbra::plot {
+
+inline constexpr double thin = 1.2, normal = 2.0, thick = 2.8;  // points
+inline constexpr int curveSamples = 401;
+
+std::string fixed3(double value);   // "0.250"
+std::string signed3(double value);  // "+0.250", "−0.010"
+std::string depthLabel();
+
+// "Variance (VSM)" is "VSM" in a legend, where room is scarce.
+std::string legendName(const TechniqueInfo& info);
+
+// The receiver's depth z_r.
+PlotMarker receiverMarker(double receiver);
+
+// An error that is too small to be seen is not drawn.
+void addError(Plot& plot, double x, double from, double to, std::string label);
+
+// z_r and the region's depths with air on both sides, within [0,1].
+PlotRange rangeAround(const Probe& probe);
+
+// `function` at curveSamples points, ends included.
+PlotSeries sampled(std::string name, std::string_view colour, PlotRange range,
+                   const std::function<double(double)>& function);
+
+// "#rrggbb" mixed with white: 1 is the colour itself, 0 white.
+std::string tint(std::string_view colour, double share);
+
+// The probe's result of technique `id`; null where there is none.
+const TechniqueResult* resultNamed(const Probe& probe, std::string_view id);
+
+// A technique's numeric parameter, or `otherwise` where it has none of that name.
+double parameterOf(const Technique& technique, std::string_view name, double otherwise);
+
+}  // namespace umbra::plot

@@ -1,0 +1,21 @@
+// The power function that power CDF shadow maps fit to a region's depths, in plots.
+#pragma once
+
+#include "analysis/Plot.h"
+#include "analysis/Probe.h"
+
+namespace umbra {
+
+// F(z) = t^β with t = (z − min)/(max − min) (Gumbau 2011, eq. 2); 0 up to min, 1 from max on. In
+// the limits of β, and where the region has one depth, it is a step.
+double powerCdf(const RegionStatistics& statistics, double z);
+
+// Power functions t^β of β = ½, 1, 2, 5 (Gumbau 2011, fig. 1) and of the region's β (eq. 3), with
+// the region's own distribution over t in [0,1].
+Plot powerFamilyPlot(const Probe& probe);
+
+// The fitted less the exact distribution over depth, both ends of every jump of the exact one
+// included, with the largest difference marked.
+Plot residualPlot(const Probe& probe);
+
+}  // namespace umbra
