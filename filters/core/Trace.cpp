@@ -38,11 +38,11 @@ std::string_view nameOf(ErrorCause cause) {
   return "";
 }
 
-TraceRecorder TraceRecorder::numbered(int number) const {
+std::string TraceRecorder::numberText(int number) {
   static constexpr std::string_view digits[] = {"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
   std::string text;
   for (char digit : std::to_string(number)) text += digits[digit - '0'];
-  return withSuffix(text);
+  return text;
 }
 
 }  // namespace umbra

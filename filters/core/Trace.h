@@ -73,7 +73,8 @@ class TraceRecorder {
   TraceRecorder withSuffix(std::string suffix) const {
     return TraceRecorder(*trace_, std::move(suffix));
   }
-  TraceRecorder numbered(int number) const;
+  TraceRecorder numbered(int number) const { return withSuffix(numberText(number)); }
+  static std::string numberText(int number);
 
  private:
   Trace* trace_;

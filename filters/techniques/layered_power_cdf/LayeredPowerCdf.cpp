@@ -7,7 +7,7 @@
 #include "Layers_glsl.h"
 #include "PowerVisibility_glsl.h"
 #include "filters/core/TechniqueCatalogue.h"
-#include "filters/techniques/power_cdf/PowerVisibility.h"
+#include "filters/techniques/layered_power_cdf/LayeredPowerSum.h"
 
 namespace umbra::layered_power_cdf {
 
@@ -55,11 +55,7 @@ void LayeredPowerCdf::encode(double z, std::span<double> channels) const {
 }
 
 double LayeredPowerCdf::visibility(const Fetch& fetch, double receiver) const {
-  const Layering layers = layering();
-  return layers.blended(receiver, [&](int i) {
-    return powerVisibility(fetch.channels[3 * i], fetch.channels[3 * i + 1],
-                           fetch.channels[3 * i + 2], layers.warp(i, receiver));
-  });
+  return visibilityOf(layering(), fetch.channels, receiver, Unrecorded());
 }
 
 std::string_view LayeredPowerCdf::glsl() const {

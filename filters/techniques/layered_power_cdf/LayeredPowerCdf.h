@@ -23,6 +23,7 @@ class LayeredPowerCdf final : public TechniqueWith<LayeredPowerCdf, LayeredPower
   void setAdaptedSplits(std::span<const double> splits) override;
   void encode(double z, std::span<double> channels) const override;
   double visibility(const Fetch& fetch, double receiver) const override;
+  Trace explain(const Fetch& fetch, double receiver) const override;
   std::string_view glsl() const override;
   std::vector<Uniform> derivedUniforms() const override;
   std::string_view page() const override;

@@ -6,7 +6,7 @@
 #include "Lvsm_glsl.h"
 #include "Lvsm_md.h"
 #include "filters/core/TechniqueCatalogue.h"
-#include "filters/techniques/vsm/Chebyshev.h"
+#include "filters/techniques/lvsm/LvsmSum.h"
 
 namespace umbra::lvsm {
 
@@ -56,15 +56,8 @@ void Lvsm::encode(double z, std::span<double> channels) const {
 }
 
 double Lvsm::visibility(const Fetch& fetch, double receiver) const {
-  const Layering layers = layering();
-  return layers.blended(receiver, [&](int i) {
-    const double m1 = fetch.channels[2 * i], m2 = fetch.channels[2 * i + 1];
-    const double warped = layers.warp(i, receiver);
-    if (warped <= m1) return 1.0;
-    const double width = layers.high(i) - layers.low(i);
-    const double bound = chebyshevUpperBound(m1, m2, warped, values.minVariance / (width * width));
-    return reduceLightBleeding(bound, values.bleedReduction);
-  });
+  return visibilityOf(layering(), fetch.channels, values.minVariance, values.bleedReduction,
+                      receiver, Unrecorded());
 }
 
 std::string_view Lvsm::glsl() const {
