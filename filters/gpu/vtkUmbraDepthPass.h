@@ -4,7 +4,11 @@
 #include <vtkOpenGLRenderPass.h>
 
 #include "filters/core/Light.h"
+#include "filters/gpu/gl/MultisampleTexture.h"
+#include "filters/gpu/gl/Program.h"
 #include "filters/gpu/gl/Texture.h"
+
+class vtkOpenGLState;
 
 namespace umbra {
 
@@ -17,8 +21,15 @@ class vtkUmbraDepthPass : public vtkOpenGLRenderPass {
   // In world coordinates; must outlive the next Render.
   void SetCaster(vtkProp* caster) { this->Caster = caster; }
   void SetLightFrame(const LightFrame& frame) { this->Frame = frame; }
-  // 32-bit float, one channel. Gets linear depth in [0,1], top row first, 1 where nothing is.
-  void SetTarget(const gl::Texture* target) { this->Target = target; }
+  // 32-bit float, one channel. Gets linear depth in [0,1], top row first, 1 where nothing is: an
+  // array's layers from `firstLayer` on, one for each sample of a texel; a plain texture has one.
+  void SetTarget(const gl::Texture* target, int firstLayer = 0);
+  // A number of samples that the driver has (SamplesGiven).
+  void SetSamples(int samples) { this->Samples = samples; }
+
+  // How many samples a texel the driver gives where `asked` are asked for: the next number that it
+  // has, or its largest. Needs a current context.
+  static int SamplesGiven(int asked);
 
   void Render(const vtkRenderState* state) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -35,12 +46,20 @@ class vtkUmbraDepthPass : public vtkOpenGLRenderPass {
 
  private:
   void PrepareFramebuffer();
+  void AttachSamples(GLuint framebuffer);
+  void DrawCaster(vtkRenderer* renderer, vtkOpenGLState* gl);
+  void CopySamples();
 
   vtkProp* Caster = nullptr;
   LightFrame Frame;
   const gl::Texture* Target = nullptr;
+  int FirstLayer = 0;
+  int Samples = 1;
   gl::Texture DepthBuffer;
+  // Only with several samples: all of a texel's, before they go to their layers.
+  gl::MultisampleTexture SampleDepths, SampleDepthBuffer;
   gl::FramebufferHandle Framebuffer;
+  gl::ProgramCache Programs;
 };
 
 }  // namespace umbra
