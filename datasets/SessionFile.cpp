@@ -2,10 +2,10 @@
 
 #include <cmath>
 #include <fstream>
-#include <limits>
 #include <sstream>
 
 #include "datasets/JsonObject.h"
+#include "datasets/SessionFileFrame.h"
 #include "filters/core/AtomicFile.h"
 #include "filters/core/Error.h"
 #include "filters/core/Text.h"
@@ -17,17 +17,6 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 constexpr const char* formatName = "umbrascope-session/1";
-constexpr double anyNumber = std::numeric_limits<double>::max();
-
-void readPoint(JsonObject& object, std::string_view key, Eigen::Vector3d& target) {
-  double values[3] = {target.x(), target.y(), target.z()};
-  object.readVector(key, values);
-  target = {values[0], values[1], values[2]};
-}
-
-Json pointJson(const Eigen::Vector3d& point) {
-  return {point.x(), point.y(), point.z()};
-}
 
 Json sourceJson(const SceneSource& source) {
   switch (source.kind) {
@@ -108,70 +97,6 @@ Light lightFrom(JsonObject& object) {
   object.read("intensity", light.intensity, 0.0, Light::largestIntensity);
   validate(light, object.where());
   return light;
-}
-
-Json cameraJson(const Camera& camera) {
-  return {{"position", pointJson(camera.position)},
-          {"target", pointJson(camera.target)},
-          {"up", pointJson(camera.up)},
-          {"viewAngle", camera.viewAngle}};
-}
-
-Camera cameraFrom(JsonObject& object) {
-  Camera camera;
-  readPoint(object, "position", camera.position);
-  readPoint(object, "target", camera.target);
-  readPoint(object, "up", camera.up);
-  object.read("viewAngle", camera.viewAngle, Camera::smallestViewAngle, Camera::largestViewAngle);
-  validate(camera, object.where());
-  return camera;
-}
-
-Json frameJson(const FrameSettings& frame) {
-  return {{"mapSize", frame.map.size},
-          {"format", nameOf(frame.map.format)},
-          {"filter", nameOf(frame.read.filter)},
-          {"view", nameOf(frame.view)},
-          {"kernel",
-           {{"shape", nameOf(frame.kernel.shape)},
-            {"radius", frame.kernel.radius},
-            {"sigma", frame.kernel.sigma}}},
-          {"bias",
-           {{"constant", frame.bias.constant},
-            {"slope", frame.bias.slope},
-            {"receiverPlane", frame.bias.receiverPlane},
-            {"cullFrontFaces", frame.bias.cullFrontFaces}}}};
-}
-
-void readFrame(JsonObject& object, FrameSettings& frame) {
-  object.read("mapSize", frame.map.size, MapSettings::smallest, MapSettings::largest);
-  object.readName("format", [&](const std::string& name, const std::string& where) {
-    frame.map.format = storageFormatFrom(name, where);
-  });
-  object.readName("filter", [&](const std::string& name, const std::string& where) {
-    frame.read.filter = readFilterFrom(name, where);
-  });
-  object.readName("view", [&](const std::string& name, const std::string& where) {
-    frame.view = viewModeFrom(name, where);
-  });
-  object.readObject("kernel", [&](JsonObject& kernel) {
-    kernel.readName("shape", [&](const std::string& name, const std::string& where) {
-      frame.kernel.shape = kernelShapeFrom(name, where);
-    });
-    kernel.read("radius", frame.kernel.radius, 0, Kernel::largestRadius);
-    kernel.read("sigma", frame.kernel.sigma, 0.0, Kernel::largestSigma);
-    if (const double sigma = frame.kernel.sigma; sigma != 0.0 && sigma < Kernel::smallestSigma)
-      throw Error(ErrorKind::BadInput, kernel.where() + ".sigma: " + toText(sigma) +
-                                           " is not right, it takes 0 or a number from " +
-                                           shortNumber(Kernel::smallestSigma) + " to " +
-                                           shortNumber(Kernel::largestSigma));
-  });
-  object.readObject("bias", [&](JsonObject& bias) {
-    bias.read("constant", frame.bias.constant, 0.0, Bias::largestConstant);
-    bias.read("slope", frame.bias.slope, 0.0, Bias::largestSlope);
-    bias.read("receiverPlane", frame.bias.receiverPlane);
-    bias.read("cullFrontFaces", frame.bias.cullFrontFaces);
-  });
 }
 
 ParameterValue valueFrom(const Json& json, const std::string& where) {

@@ -6,7 +6,10 @@
 //  "light":  {"kind": "spot", "position": [x,y,z], "target": [x,y,z], "halfAngle": 30,
 //             "colour": [r,g,b], "intensity": 1},
 //  "camera": {"position": [x,y,z], "target": [x,y,z], "up": [x,y,z], "viewAngle": 30},
-//  "frame":  {"mapSize": 1024, "format": "float", "filter": "bilinear", "view": "shaded",
+//  "frame":  {"mapSize": 1024, "format": "float", "filter": "bilinear", "anisotropy": 8,
+//             "sat": {"size": "footprint", "precision": "centred", "distance": 0}, "msaa": 1,
+//             "cascades": {"count": 1, "splitLambda": 0.5, "seam": 0.1, "frozen": a camera},
+//             "view": "shaded",
 //             "kernel": {"shape": "box", "radius": 3, "sigma": 0},
 //             "bias": {"constant": 5e-4, "slope": 1, "receiverPlane": true,
 //                      "cullFrontFaces": false}},
@@ -15,7 +18,7 @@
 //  "size": [1280, 720], "probe": [x, y], "receiver": 0.7}
 //
 // Every key but "format" may be absent and then has its default; "light" and "camera" absent means
-// the scene's own.
+// the scene's own, "frozen" absent that the cascades follow the camera.
 #pragma once
 
 #include <filesystem>

@@ -29,9 +29,10 @@ Session unusualSession() {
   session.source.parameters = {{"a", 0.1}, {"b", 0.5}};
   session.light = Light{LightKind::Spot, {1, 2, 3}, {0.1, 0.2, 0.3}, 45.5, {1, 0.9, 0.8}, 2.5};
   session.camera = Camera{{4, 5, 6}, {1, 0, 1}, {0, 0, 1}, 42.0};
-  session.frame.map = {512, StorageFormat::Half};
+  session.frame.map = {
+      512, StorageFormat::Half, 4, {3, 0.75, 0.2, Camera{{7, 8, 9}, {1, 2, 3}, {0, 0, 1}, 33.0}}};
   session.frame.kernel = {KernelShape::Gaussian, 7, 2.25};
-  session.frame.read.filter = ReadFilter::Point;
+  session.frame.read = {ReadFilter::SummedArea, 5, SatSize::Distance, SatPrecision::Plain, 12.5};
   session.frame.bias = {1e-3, 2.0, false, true};
   session.frame.view = ViewMode::Error;
   session.technique = "power-cdf";
@@ -108,8 +109,53 @@ TEST_F(SessionFileTest, NamesAreRefusedUnderTheirKey) {
             "s.json: technique: there is no 'vsn'; did you mean 'vsm'?");
   EXPECT_EQ(errorOf(sessionWith(R"("frame": {"kernel": {"shape": "Box"}})")),
             "s.json: frame.kernel.shape: 'Box' is none of none, box, gaussian");
-  EXPECT_EQ(errorOf(sessionWith(R"("frame": {"filter": "sat"})")),
-            "s.json: frame.filter: 'sat' is none of point, bilinear");
+  EXPECT_EQ(errorOf(sessionWith(R"("frame": {"filter": "mip"})")),
+            "s.json: frame.filter: 'mip' is none of point, bilinear, trilinear, anisotropic, sat");
+  EXPECT_EQ(errorOf(sessionWith(R"("frame": {"sat": {"size": "wide"}})")),
+            "s.json: frame.sat.size: 'wide' is none of footprint, distance, fixed");
+  EXPECT_EQ(errorOf(sessionWith(R"("frame": {"sat": {"precision": "half"}})")),
+            "s.json: frame.sat.precision: 'half' is none of centred, integer, plain");
+}
+
+TEST_F(SessionFileTest, MapsAndCascadesBeyondTheirRangesAreRefused) {
+  const auto frameError = [](const std::string& member) {
+    return errorOf(sessionWith("\"frame\": {" + member + "}"));
+  };
+  for (const char* samples : {"1", "2", "4", "8"})
+    EXPECT_EQ(frameError("\"msaa\": " + std::string(samples)), "no error");
+  EXPECT_EQ(frameError("\"msaa\": 3"), "s.json: frame.msaa: 3 is not right, it takes 1, 2, 4 or 8");
+  EXPECT_EQ(frameError("\"msaa\": 16"),
+            "s.json: frame.msaa: 16 is not right, it takes a whole number from 1 to 8");
+  EXPECT_EQ(frameError("\"anisotropy\": 17"),
+            "s.json: frame.anisotropy: 17 is not right, it takes a whole number from 1 to 16");
+  EXPECT_EQ(frameError("\"cascades\": {\"count\": 5}"),
+            "s.json: frame.cascades.count: 5 is not right, it takes a whole number from 1 to 4");
+  for (const char* member : {"splitLambda\": 1.5", "seam\": 0.6", "split\": 1"})
+    EXPECT_EQ(frameError("\"cascades\": {\"" + std::string(member) + "}")
+                  .find("s.json: frame.cascades.s"),
+              0u)
+        << member;
+  EXPECT_EQ(frameError("\"sat\": {\"distance\": -1}").find("s.json: frame.sat.distance: "), 0u);
+  EXPECT_EQ(frameError(R"("cascades": {"frozen": {"position": [0,0,0], "target": [0,0,0]}})")
+                .find("s.json: frame.cascades.frozen: "),
+            0u);
+}
+
+// As files were written before there were mip levels, summed areas, samples and cascades.
+TEST_F(SessionFileTest, FilesOfTheFirstVersionStillLoad) {
+  const Session session =
+      sessionFromText(sessionWith(R"("frame": {"mapSize": 256, "format": "half", "filter": "point",
+        "view": "error", "kernel": {"shape": "none", "radius": 1, "sigma": 0},
+        "bias": {"constant": 0, "slope": 0, "receiverPlane": false, "cullFrontFaces": true}})"),
+                      "s.json");
+  FrameSettings expected;
+  expected.map.size = 256;
+  expected.map.format = StorageFormat::Half;
+  expected.kernel = {KernelShape::None, 1};
+  expected.read.filter = ReadFilter::Point;
+  expected.bias = {0.0, 0.0, false, true};
+  expected.view = ViewMode::Error;
+  EXPECT_EQ(session.frame, expected);
 }
 
 TEST_F(SessionFileTest, NumbersBeyondTheirTypeAreRefused) {

@@ -14,10 +14,11 @@ namespace umbra {
 // maps).
 struct CascadeSettings {
   static constexpr int largestCount = 4;
+  static constexpr double largestSeam = 0.5;
 
   int count = 1;
   double splitLambda = 0.5;  // 0 cuts evenly, 1 logarithmically
-  // The last part of each cascade's depth over which it goes over into the next, 0 … 0.5.
+  // The last part of each cascade's depth over which it goes over into the next, 0 … largestSeam.
   double seam = 0.1;
   // Splits this camera's view, where set, and not that of the one which looks.
   std::optional<Camera> frozen;
@@ -27,6 +28,7 @@ struct CascadeSettings {
 
 struct MapSettings {
   static constexpr int smallest = 16, largest = 8192;
+  static constexpr int largestSamples = 8;
 
   int size = 1024;  // texels a side, smallest … largest
   StorageFormat format = StorageFormat::Float;
