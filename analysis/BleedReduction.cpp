@@ -20,9 +20,8 @@ double reduced(double bound, double amount) {
 // of one bound may fall short; what is missing is found by halving.
 double halved(const TechniqueResult& result, const Probe& probe, double low, double high) {
   const auto bleeds = [&](double amount) {
-    const Fetch fetch{result.channels, probe.region};
-    return withBleedReduction(*result.technique, amount)->visibility(fetch, probe.receiver) >
-           probe.reference + rounding;
+    return visibilityOf(*withBleedReduction(*result.technique, amount), probe, result,
+                        probe.receiver) > probe.reference + rounding;
   };
   if (!bleeds(low)) return low;
   while (high - low > rounding) {
@@ -37,11 +36,10 @@ double halved(const TechniqueResult& result, const Probe& probe, double low, dou
 void addDarkening(const TechniqueResult& result, const Probe& probe, BleedReduction& found) {
   const std::unique_ptr<Technique> technique = withBleedReduction(*result.technique, found.amount);
   const EmpiricalCdf cdf = empiricalCdfOf(probe.region);
-  const Fetch fetch{result.channels, probe.region};
   double inFront = 0.0;
   for (std::size_t i = 0; i < cdf.depth.size(); ++i) {
     const double darkening =
-        std::max(0.0, 1.0 - inFront - technique->visibility(fetch, cdf.depth[i]));
+        std::max(0.0, 1.0 - inFront - visibilityOf(*technique, probe, result, cdf.depth[i]));
     found.darkening = std::max(found.darkening, darkening);
     found.meanDarkening += darkening * (cdf.cumulative[i] - inFront);
     inFront = cdf.cumulative[i];
@@ -81,9 +79,9 @@ std::unique_ptr<Technique> withBleedReduction(const Technique& technique, double
 std::optional<BleedReduction> bleedReductionOf(const Probe& probe, const TechniqueResult& result) {
   const std::optional<double> largest = largestBleedReduction(*result.technique);
   if (!largest) return std::nullopt;
-  const Fetch fetch{result.channels, probe.region};
   const auto visibility = [&](double amount) {
-    return withBleedReduction(*result.technique, amount)->visibility(fetch, probe.receiver);
+    return visibilityOf(*withBleedReduction(*result.technique, amount), probe, result,
+                        probe.receiver);
   };
   BleedReduction found;
   found.amount = std::min(smallestReduction(visibility(0.0), probe.reference), *largest);

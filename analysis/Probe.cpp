@@ -4,20 +4,52 @@
 #include <cmath>
 #include <numeric>
 
+#include "filters/core/Composition.h"
 #include "filters/core/Prefilter.h"
 
 namespace umbra {
 namespace {
+
+bool nextIsHeavier(const SeamPart& seam) {
+  return seam.weight > 0.5;
+}
 
 TechniqueResult resultOf(std::shared_ptr<const Technique> technique, const ProbeRequest& request,
                          const Probe& probe) {
   TechniqueResult result;
   result.channels =
       readChannels(request.map, *technique, request.kernel, request.format, request.read);
-  result.visibility = technique->visibility({result.channels, probe.region}, probe.receiver);
+  if (request.seam) {
+    result.lighterChannels = readChannels(request.seam->map, *technique, request.kernel,
+                                          request.format, request.seam->read);
+    if (nextIsHeavier(*request.seam)) std::swap(result.channels, result.lighterChannels);
+  }
+  result.visibility = visibilityOf(*technique, probe, result, probe.receiver);
   result.error = result.visibility - probe.reference;
   result.technique = std::move(technique);
   return result;
+}
+
+Region regionIn(const DepthMap& map, const Kernel& kernel, const ReadPoint& read, int cascade) {
+  Region region = regionOf(map, kernel, read);
+  for (RegionTexel& texel : region.texels) texel.cascade = cascade;
+  return region;
+}
+
+// Both regions, and their union about the place in the request's own cascade.
+void probeSeam(const ProbeRequest& request, Probe& probe) {
+  const SeamPart& seam = *request.seam;
+  Region next = regionIn(seam.map, request.kernel, seam.read, request.cascade + 1);
+  probe.seam.emplace();
+  probe.seam->weight = std::min(seam.weight, 1.0 - seam.weight);
+  probe.seam->heavier = probe.region;
+  probe.seam->lighter = next;
+  if (nextIsHeavier(seam)) std::swap(probe.seam->heavier, probe.seam->lighter);
+  for (RegionTexel& texel : probe.region.texels) texel.weight *= 1.0 - seam.weight;
+  for (RegionTexel& texel : next.texels) {
+    texel.weight *= seam.weight;
+    probe.region.texels.push_back(texel);
+  }
 }
 
 // The region's texels as (depth, weight), nearest to the light first.
@@ -66,18 +98,60 @@ Histogram binned(std::span<const double> values, std::span<const double> weights
 
 Probe takeProbe(const ProbeRequest& request) {
   Probe probe;
-  probe.region = regionOf(request.map, request.kernel, request.read);
+  probe.region = regionIn(request.map, request.kernel, request.read, request.cascade);
   probe.receiver = request.receiver;
+  if (request.seam) probeSeam(request, probe);
   probe.statistics = statisticsOf(probe.region);
   probe.reference = referenceVisibility(probe.region, probe.receiver);
+  FrameSettings frame;
+  frame.map.format = request.format;
+  frame.kernel = request.kernel;
+  frame.read.filter = request.read.filter;
+  frame.read.satPrecision = request.satPrecision;
   for (const auto& technique : request.techniques) {
-    const std::string refusal = technique->refusal(request.format);
+    const std::string refusal = whyImpossible(frame, *technique);
     if (refusal.empty())
       probe.techniques.push_back(resultOf(technique, request, probe));
     else
       probe.refused.push_back({technique, refusal});
   }
   return probe;
+}
+
+Fetch fetchOf(const Probe& probe, const TechniqueResult& result) {
+  return {result.channels, probe.seam ? probe.seam->heavier : probe.region};
+}
+
+double visibilityOf(const Technique& technique, const Probe& probe, const TechniqueResult& result,
+                    double receiver) {
+  const double visibility = technique.visibility(fetchOf(probe, result), receiver);
+  if (!probe.seam) return visibility;
+  const Fetch lighter{result.lighterChannels, probe.seam->lighter};
+  return std::lerp(visibility, technique.visibility(lighter, receiver), probe.seam->weight);
+}
+
+Region ownRegion(const Probe& probe) {
+  Region own = probe.region;
+  if (probe.seam)
+    std::erase_if(own.texels, [cascade = own.texels.front().cascade](const RegionTexel& texel) {
+      return texel.cascade != cascade;
+    });
+  return own;
+}
+
+ReadPoint readInCascade(const ReadPoint& read, const Cascade& from, const Cascade& to,
+                        const Kernel& kernel) {
+  ReadPoint there = read;
+  there.u = std::clamp(to.u(from.left + from.side * read.u), 0.0, 1.0);
+  there.v = std::clamp(to.v(from.top + from.side * read.v), 0.0, 1.0);
+  there.footprint.x *= from.side / to.side;
+  there.footprint.y *= from.side / to.side;
+  if (read.filter == ReadFilter::SummedArea) {
+    const double least = 2.0 * kernel.effectiveRadius() + 1.0;
+    there.footprint.x = std::max(there.footprint.x, least);
+    there.footprint.y = std::max(there.footprint.y, least);
+  }
+  return there;
 }
 
 Histogram histogramOf(const Region& region, int bins) {
@@ -129,8 +203,8 @@ Curves curvesOf(const Probe& probe, int samples) {
   for (const TechniqueResult& result : probe.techniques) {
     std::vector<double>& curve = curves.techniques.emplace_back();
     curve.reserve(samples);
-    const Fetch fetch{result.channels, probe.region};
-    for (double depth : curves.depth) curve.push_back(result.technique->visibility(fetch, depth));
+    for (double depth : curves.depth)
+      curve.push_back(visibilityOf(*result.technique, probe, result, depth));
   }
   return curves;
 }

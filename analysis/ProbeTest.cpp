@@ -55,6 +55,90 @@ TEST(Probe, SaysWhichTechniquesTheFormatCannotHold) {
     EXPECT_EQ(refused.reason, refused.technique->refusal(StorageFormat::Unorm8));
 }
 
+TEST(Probe, SaysWhichTechniquesATableOfSumsCannotServe) {
+  const DepthMap map = randomMap(9, 9, 2);
+  ProbeRequest request = requestOn(map, 4, 4, 0.6);
+  request.kernel.shape = KernelShape::Box;
+  request.read = {ReadFilter::SummedArea, 0.5, 0.5, {7.0, 7.0, 1}};
+  const Probe probe = takeProbe(request);
+  EXPECT_NO_THROW(resultNamed(probe, "vsm"));
+  EXPECT_NO_THROW(resultNamed(probe, "esm"));
+  EXPECT_ANY_THROW(resultNamed(probe, "power-cdf"));
+  request.satPrecision = SatPrecision::Integer;
+  const Probe integers = takeProbe(request);
+  EXPECT_NO_THROW(resultNamed(integers, "vsm"));
+  EXPECT_ANY_THROW(resultNamed(integers, "esm"));
+}
+
+TEST(Probe, MeasuresEveryReadAgainstItsOwnRegion) {
+  const DepthMap map = randomMap(32, 32, 11);
+  for (ReadFilter filter : {ReadFilter::Trilinear, ReadFilter::Anisotropic}) {
+    ProbeRequest request = requestOn(map, 0, 0, 0.55);
+    request.read = {filter, 0.37, 0.61, {5.5, 2.5, filter == ReadFilter::Trilinear ? 1 : 3}};
+    const Probe probe = takeProbe(request);
+    const Region region = umbra::regionOf(map, request.kernel, request.read);
+    EXPECT_EQ(probe.reference, referenceVisibility(region, 0.55));
+    EXPECT_EQ(resultNamed(probe, "pcf").error, 0.0);
+    EXPECT_NEAR(resultNamed(probe, "vsm").channels[0], statisticsOf(region).mean, 1e-12);
+  }
+}
+
+TEST(ProbeInASeam, MixesTheVisibilitiesOfBothCascades) {
+  const DepthMap near = randomMap(16, 16, 12), far = randomMap(16, 16, 13);
+  for (double weight : {0.25, 0.75}) {
+    ProbeRequest request = requestOn(near, 0, 0, 0.55);
+    request.read = {ReadFilter::Bilinear, 0.3, 0.4, {}};
+    request.cascade = 1;
+    const Probe own = takeProbe(request);
+    request.seam.emplace(SeamPart{far, {ReadFilter::Bilinear, 0.6, 0.7, {}}, weight});
+    const Probe probe = takeProbe(request);
+    ProbeRequest next = requestOn(far, 0, 0, 0.55);
+    next.read = request.seam->read;
+    const Probe other = takeProbe(next);
+    EXPECT_NEAR(probe.reference, std::lerp(own.reference, other.reference, weight), 1e-14);
+    const Curves curves = curvesOf(probe, 5), nearCurves = curvesOf(own, 5),
+                 farCurves = curvesOf(other, 5);
+    for (std::size_t i = 0; i < probe.techniques.size(); ++i) {
+      EXPECT_NEAR(probe.techniques[i].visibility,
+                  std::lerp(own.techniques[i].visibility, other.techniques[i].visibility, weight),
+                  1e-15);
+      EXPECT_EQ(probe.techniques[i].channels, (weight > 0.5 ? other : own).techniques[i].channels);
+      for (int j = 0; j < 5; ++j)
+        EXPECT_NEAR(curves.techniques[i][j],
+                    std::lerp(nearCurves.techniques[i][j], farCurves.techniques[i][j], weight),
+                    1e-15);
+    }
+    double total = 0.0, ofNext = 0.0;
+    for (const RegionTexel& texel : probe.region.texels) {
+      total += texel.weight;
+      if (texel.cascade == 2) ofNext += texel.weight;
+      EXPECT_TRUE(texel.cascade == 1 || texel.cascade == 2);
+    }
+    EXPECT_NEAR(total, 1.0, 1e-14);
+    EXPECT_NEAR(ofNext, weight, 1e-14);
+  }
+}
+
+TEST(ProbeInASeam, ReadsTheSamePlaceOfTheNextMap) {
+  Cascade from, to;
+  from.left = 0.25;
+  from.top = 0.5;
+  from.side = 0.25;
+  to.left = 0.0;
+  to.top = 0.25;
+  to.side = 0.75;
+  const ReadPoint read{ReadFilter::Anisotropic, 0.5, 0.2, {6.0, -3.0, 2}};
+  const ReadPoint there = readInCascade(read, from, to, {KernelShape::Box, 2});
+  EXPECT_NEAR(from.left + from.side * read.u, to.left + to.side * there.u, 1e-15);
+  EXPECT_NEAR(from.top + from.side * read.v, to.top + to.side * there.v, 1e-15);
+  EXPECT_NEAR(there.footprint.x, 2.0, 1e-15);
+  EXPECT_NEAR(there.footprint.y, -1.0, 1e-15);
+  EXPECT_EQ(there.footprint.probes, 2);
+  const ReadPoint box{ReadFilter::SummedArea, 0.5, 0.2, {30.0, 6.0, 1}};
+  EXPECT_NEAR(readInCascade(box, from, to, {KernelShape::Box, 2}).footprint.x, 10.0, 1e-14);
+  EXPECT_EQ(readInCascade(box, from, to, {KernelShape::Box, 2}).footprint.y, 5.0);
+}
+
 TEST(Probe, TakesTheRegionOfItsTexel) {
   const DepthMap map = randomMap(20, 12, 1);
   const Probe probe = takeProbe(requestOn(map, 19, 0, 0.6));
