@@ -99,6 +99,27 @@ void JsonObject::readObject(std::string_view key, const std::function<void(JsonO
   object.finish();
 }
 
+void JsonObject::readList(std::string_view key,
+                          const std::function<void(const Json&, const std::string&)>& visit) {
+  const Json* value = find(key);
+  if (!value) return;
+  if (!value->is_array()) refuse(key, "a list […]");
+  for (std::size_t i = 0; i < value->size(); ++i)
+    visit((*value)[i], whereOf(key) + "[" + std::to_string(i + 1) + "]");
+}
+
+void JsonObject::readLines(std::string_view key, std::string& target) {
+  const Json* value = find(key);
+  if (!value) return;
+  const bool lines =
+      value->is_array() && !value->empty() &&
+      std::all_of(value->begin(), value->end(), [](const Json& line) { return line.is_string(); });
+  if (!lines && !value->is_string()) refuse(key, "a text, or a list of its lines");
+  if (!lines) return void(target = value->get<std::string>());
+  target.clear();
+  for (const Json& line : *value) target += (target.empty() ? "" : "\n") + line.get<std::string>();
+}
+
 void JsonObject::readRest(
     const std::function<void(const std::string&, const Json&, const std::string&)>& visit) {
   for (const auto& [key, value] : value_.items()) {

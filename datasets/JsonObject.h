@@ -30,6 +30,13 @@ class JsonObject {
   void readVector(std::string_view key, double (&target)[3]);
   // Calls `visit` with the object at `key`.
   void readObject(std::string_view key, const std::function<void(JsonObject&)>& visit);
+  // Calls `visit` with every element of the list at `key`, and file and key with its place from 1:
+  // "steps[2]".
+  void readList(std::string_view key,
+                const std::function<void(const nlohmann::ordered_json& element,
+                                         const std::string& where)>& visit);
+  // Of a text, or of a list of texts that are its lines.
+  void readLines(std::string_view key, std::string& target);
   // Calls `visit` with every key that no read asked for and its value.
   void readRest(const std::function<void(const std::string& key, const nlohmann::ordered_json&,
                                          const std::string& where)>& visit);

@@ -1,0 +1,46 @@
+#include "datasets/Lesson.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace umbra {
+
+bool holds(const LessonClaim& claim, double left, double right) {
+  switch (claim.relation) {
+    case LessonRelation::Less:
+      return left < right;
+    case LessonRelation::Greater:
+      return left > right;
+    case LessonRelation::Near:
+      break;
+  }
+  return std::abs(left - right) <= claim.tolerance;
+}
+
+std::string describe(const LessonQuantity& quantity) {
+  const QuantityInfo& info = infoOf(quantity.quantity);
+  return std::string(info.name) + (info.ofTechnique ? " of " + quantity.technique : std::string());
+}
+
+const char* nameOf(LessonRelation relation) {
+  return relation == LessonRelation::Less ? "<" : relation == LessonRelation::Greater ? ">" : "≈";
+}
+
+std::vector<std::string> techniquesOf(const Lesson& lesson, std::size_t step) {
+  std::vector<std::string> ids{lesson.steps[step].session.technique};
+  const auto add = [&](const LessonQuantity& quantity) {
+    if (quantity.step != step || !infoOf(quantity.quantity).ofTechnique) return;
+    if (std::find(ids.begin(), ids.end(), quantity.technique) == ids.end())
+      ids.push_back(quantity.technique);
+  };
+  for (const LessonStep& one : lesson.steps) {
+    if (one.question) add(one.question->asked);
+    for (const LessonClaim& claim : one.claims) {
+      add(claim.left);
+      if (claim.right) add(*claim.right);
+    }
+  }
+  return ids;
+}
+
+}  // namespace umbra

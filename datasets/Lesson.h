@@ -1,0 +1,71 @@
+// A lesson: steps to read and look at, each with its own session, questions that are answered by
+// prediction, and claims that can be computed.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "datasets/Session.h"
+#include "filters/core/Quantity.h"
+
+namespace umbra {
+
+// What is measured: of a step's probe or frame.
+struct LessonQuantity {
+  Quantity quantity = Quantity::Visibility;
+  std::string technique;  // of the step's session, where the file names none
+  std::size_t step = 0;   // index; in files counted from 1, the step itself where absent
+
+  bool operator==(const LessonQuantity&) const = default;
+};
+
+enum class LessonRelation { Less, Greater, Near };
+
+// Holds where `left` stands in `relation` to `right`, or to `value`.
+struct LessonClaim {
+  std::string text;  // "Nothing of the light should arrive here"
+  LessonQuantity left;
+  LessonRelation relation = LessonRelation::Near;
+  std::optional<LessonQuantity> right;
+  double value = 0.0;      // in the place of `right`
+  double tolerance = 0.0;  // Near: the largest difference
+};
+
+// What the reader predicts before the program shows it.
+struct LessonQuestion {
+  std::string text;            // Markdown
+  LessonQuantity asked;        // of this step's probe
+  double low = 0.0, high = 1;  // of a prediction, low < high
+  double tolerance = 0.0;      // a prediction that is off by no more is right
+  std::string explanation;     // Markdown: why it comes out as it does
+};
+
+struct LessonStep {
+  std::string title;
+  std::string text;  // Markdown: paragraphs, lists, formulas indented by four spaces
+  std::string look;  // Markdown: what to look at
+  Session session;   // has a probe and shows a scene
+  std::optional<LessonQuestion> question;
+  std::vector<LessonClaim> claims;
+};
+
+struct Lesson {
+  std::string name;     // "light-bleeding", kebab-case
+  std::string title;    // "Light bleeding"
+  std::string summary;  // one sentence
+  std::string after;    // "Lauritzen 2008, §3.3"
+  std::vector<LessonStep> steps;
+};
+
+// Whether `left` and `right` (the claim's `value` where it has none) are as the claim says.
+bool holds(const LessonClaim& claim, double left, double right);
+// "visibility of vsm": for tables and failures.
+std::string describe(const LessonQuantity& quantity);
+// "<", ">" or "≈".
+const char* nameOf(LessonRelation relation);
+// The techniques that the step speaks of, each once: the session's first.
+std::vector<std::string> techniquesOf(const Lesson& lesson, std::size_t step);
+
+}  // namespace umbra

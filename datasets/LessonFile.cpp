@@ -1,0 +1,199 @@
+#include "datasets/LessonFile.h"
+
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "datasets/JsonObject.h"
+#include "datasets/SessionFile.h"
+#include "filters/core/Error.h"
+
+namespace umbra {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* formatName = "umbrascope-lesson/1";
+constexpr double anyNumber = std::numeric_limits<double>::max();
+
+[[noreturn]] void refuse(const std::string& where, const std::string& why) {
+  throw Error(ErrorKind::BadInput, where + why);
+}
+
+void require(const std::string& text, const JsonObject& object, const char* key) {
+  if (text.empty()) refuse(object.where(), std::string(": needs a text '") + key + "'");
+}
+
+std::string contentOf(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (!stream || fs::is_directory(file)) refuse(file.string(), ": cannot be read");
+  return text.str();
+}
+
+// What the steps before and after one are needed for.
+struct Place {
+  const Session& session;  // of this step
+  std::size_t step, steps;
+};
+
+LessonQuantity quantityOf(JsonObject& object, const Place& place) {
+  LessonQuantity result;
+  bool named = false;
+  object.readName("quantity", [&](const std::string& name, const std::string& where) {
+    result.quantity = quantityFrom(name, where);
+    named = true;
+  });
+  if (!named) refuse(object.where(), ": needs a 'quantity'");
+  int step = int(place.step) + 1;
+  object.read("step", step, 1, int(place.steps));
+  result.step = std::size_t(step - 1);
+  object.readName("technique", [&](const std::string& id, const std::string& where) {
+    result.technique = allTechniques().make(id, where)->info().id;
+  });
+  if (result.technique.empty()) result.technique = place.session.technique;
+  return result;
+}
+
+LessonQuestion questionOf(JsonObject& object, const Place& place) {
+  LessonQuestion question;
+  object.readLines("text", question.text);
+  require(question.text, object, "text");
+  question.asked = quantityOf(object, place);
+  if (infoOf(question.asked.quantity).ofFrame || question.asked.step != place.step)
+    refuse(object.where(), ".quantity: a question asks for one of this step's own probe");
+  object.read("low", question.low, -anyNumber, anyNumber);
+  object.read("high", question.high, -anyNumber, anyNumber);
+  if (question.low >= question.high) refuse(object.where(), ".high: should be greater than 'low'");
+  question.tolerance = -1.0;
+  object.read("tolerance", question.tolerance, 0.0, question.high - question.low);
+  if (question.tolerance < 0.0)
+    refuse(object.where(), ": needs a 'tolerance', how far off a right prediction may be");
+  object.readLines("explanation", question.explanation);
+  require(question.explanation, object, "explanation");
+  return question;
+}
+
+LessonRelation relationFrom(const std::string& name, const std::string& where) {
+  for (const auto relation : {LessonRelation::Less, LessonRelation::Greater, LessonRelation::Near})
+    if (name == nameOf(relation)) return relation;
+  refuse(where, ": '" + name + "' is no relation; there are <, > and ≈");
+}
+
+LessonClaim claimOf(JsonObject& object, const Place& place) {
+  LessonClaim claim;
+  object.readLines("text", claim.text);
+  require(claim.text, object, "text");
+  claim.left = quantityOf(object, place);
+  bool related = false;
+  object.readName("relation", [&](const std::string& name, const std::string& where) {
+    claim.relation = relationFrom(name, where);
+    related = true;
+  });
+  if (!related) refuse(object.where(), ": needs a 'relation', one of <, > and ≈");
+  const double missing = std::numeric_limits<double>::infinity();
+  claim.value = missing;
+  object.read("value", claim.value, -anyNumber, anyNumber);
+  object.readObject("than", [&](JsonObject& than) { claim.right = quantityOf(than, place); });
+  if (claim.right.has_value() == (claim.value != missing))
+    refuse(object.where(), ": needs exactly one of 'value' and 'than'");
+  claim.tolerance = -1.0;
+  object.read("tolerance", claim.tolerance, 0.0, anyNumber);
+  if ((claim.relation == LessonRelation::Near) != (claim.tolerance >= 0.0))
+    refuse(object.where(), ": a 'tolerance' goes with the relation ≈, and ≈ needs one");
+  return claim;
+}
+
+Session sessionOf(const Json& json, const std::string& where) {
+  Session session = sessionFrom(json, where);
+  if (session.source.kind == SourceKind::DepthFile)
+    refuse(where, ".source: a lesson's step shows a scene, not a depth map");
+  if (!session.probe) refuse(where, ": needs a 'probe', the pixel that the step is about");
+  if (session.probe->x >= session.width || session.probe->y >= session.height)
+    refuse(where, ".probe: is outside the picture of " + std::to_string(session.width) + " x " +
+                      std::to_string(session.height) + " pixels");
+  return session;
+}
+
+LessonStep stepOf(const Json& json, const std::string& where, std::size_t index,
+                  std::size_t count) {
+  JsonObject object(json, where);
+  LessonStep step;
+  object.read("title", step.title);
+  require(step.title, object, "title");
+  object.readLines("text", step.text);
+  require(step.text, object, "text");
+  object.readLines("look", step.look);
+  if (!json.contains("session")) refuse(where, ": needs a 'session'");
+  step.session = sessionOf(json.at("session"), where + ".session");
+  const Place place{step.session, index, count};
+  object.readObject("question",
+                    [&](JsonObject& question) { step.question = questionOf(question, place); });
+  object.readList("claims", [&](const Json& element, const std::string& at) {
+    JsonObject claim(element, at);
+    step.claims.push_back(claimOf(claim, place));
+    claim.finish();
+  });
+  object.readRest([&](const std::string& key, const Json&, const std::string& at) {
+    if (key != "session") refuse(at, ": there is no such key");
+  });
+  return step;
+}
+
+Lesson lessonFrom(const Json& json, const std::string& where) {
+  JsonObject object(json, where);
+  std::string format;
+  object.read("format", format);
+  if (format != formatName)
+    refuse(where, std::string(": is no lesson, its \"format\" should be \"") + formatName + "\"");
+  Lesson lesson;
+  object.read("name", lesson.name);
+  require(lesson.name, object, "name");
+  object.read("title", lesson.title);
+  require(lesson.title, object, "title");
+  object.readLines("summary", lesson.summary);
+  require(lesson.summary, object, "summary");
+  object.read("after", lesson.after);
+  const std::size_t count = json.contains("steps") ? json.at("steps").size() : 0;
+  object.readList("steps", [&](const Json& element, const std::string& at) {
+    lesson.steps.push_back(stepOf(element, at, lesson.steps.size(), count));
+  });
+  if (lesson.steps.empty()) refuse(where, ": needs at least one of 'steps'");
+  object.finish();
+  return lesson;
+}
+
+}  // namespace
+
+Lesson lessonFromText(std::string_view text, std::string_view where) {
+  try {
+    return lessonFrom(Json::parse(text), std::string(where));
+  } catch (const Json::parse_error& error) {
+    refuse(std::string(where),
+           ": is not JSON, it breaks off or errs at byte " + std::to_string(error.byte));
+  } catch (const Json::exception& error) {
+    const std::string what = error.what();
+    refuse(std::string(where), ": cannot be read: " + what.substr(what.find(' ') + 1));
+  }
+}
+
+Lesson readLesson(const fs::path& file) {
+  Lesson lesson = lessonFromText(contentOf(file), file.string());
+  for (LessonStep& step : lesson.steps)
+    if (step.session.source.kind == SourceKind::MeshFile)
+      step.session.source.name =
+          (fs::absolute(file).parent_path() / step.session.source.name).lexically_normal().string();
+  return lesson;
+}
+
+bool looksLikeLesson(const fs::path& file) {
+  const Json json = Json::parse(contentOf(file), nullptr, false);
+  if (!json.is_object() || !json.contains("format")) return false;
+  const Json& format = json.at("format");
+  return format.is_string() && format.get<std::string>().starts_with("umbrascope-lesson");
+}
+
+}  // namespace umbra

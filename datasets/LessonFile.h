@@ -1,0 +1,39 @@
+// Lessons as JSON, for teachers to write.
+//
+// {"format": "umbrascope-lesson/1",
+//  "name": "light-bleeding", "title": "…", "summary": "…", "after": "Lauritzen 2008, §3.3",
+//  "steps": [
+//    {"title": "…", "text": ["A line", "", "    a formula"], "look": "…",
+//     "session": {"format": "umbrascope-session/1", …, "probe": [x, y]},
+//     "question": {"text": "…", "quantity": "visibility", "technique": "vsm",
+//                  "low": 0, "high": 1, "tolerance": 0.02, "explanation": "…"},
+//     "claims": [{"text": "…", "quantity": "visibility", "technique": "vsm", "step": 1,
+//                 "relation": ">", "value": 0.2},
+//                {"quantity": "rmse", "relation": "<",
+//                 "than": {"quantity": "rmse", "technique": "pcf", "step": 2}},
+//                {"quantity": "reference", "relation": "≈", "value": 0, "tolerance": 1e-6}]}]}
+//
+// A text is one string or a list of its lines, Markdown. The session is one as SessionFile reads
+// it; it shows a scene and has a probe. "technique" absent is the session's, "step" absent is the
+// step itself. "question", "claims", "look" and "after" may be absent.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "datasets/Lesson.h"
+
+namespace umbra {
+
+// `where` is what errors begin with, the file's name. Throws BadInput that names the key for what
+// is missing, unknown, of a wrong type or out of range, and for a technique or session that is not
+// right.
+Lesson lessonFromText(std::string_view text, std::string_view where);
+
+// Paths of meshes in the file are relative to its folder.
+Lesson readLesson(const std::filesystem::path& file);
+
+// Whether the text says that it is a lesson, right or wrong: to tell it from a session.
+bool looksLikeLesson(const std::filesystem::path& file);
+
+}  // namespace umbra
