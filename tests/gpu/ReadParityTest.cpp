@@ -130,29 +130,6 @@ std::vector<ReadPoint> randomReads(ReadFilter filter, int count) {
   return reads;
 }
 
-// How far `evaluate` moves when position and footprint are off by a few float roundings: the GPU
-// multiplies, scales and adds them, and takes the length and logarithm of the latter.
-template <class Evaluate>
-double readError(const Evaluate& evaluate, const ReadPoint& read) {
-  const double exact = evaluate(read);
-  double error = 0.0;
-  for (double du : {-4 * eps, 4 * eps}) {
-    for (double dv : {-4 * eps, 4 * eps}) {
-      ReadPoint moved = read;
-      moved.u += du;
-      moved.v += dv;
-      error = std::max(error, std::abs(evaluate(moved) - exact));
-    }
-  }
-  for (double part : {-8 * eps, 8 * eps}) {
-    ReadPoint scaled = read;
-    scaled.footprint.x *= 1.0 + part;
-    scaled.footprint.y *= 1.0 + part;
-    error = std::max(error, std::abs(evaluate(scaled) - exact));
-  }
-  return 2 * error;
-}
-
 TEST_P(ReadParity, ReadsMixLevelsAsTheReferenceDoes) {
   for (const auto& [name, map] : testMaps()) {
     for (const Kernel& kernel : {Kernel{KernelShape::None, 0}, Kernel{KernelShape::Gaussian, 3}}) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "filters/core/Region.h"
 #include "filters/core/Technique.h"
 
 namespace umbra::test {
@@ -42,6 +43,29 @@ inline double visibilityError(const Technique& technique, StorageFormat format, 
   }
   worst([&](double shift) { return technique.visibility(fetch, receiver + shift); });
   return error;
+}
+
+// How far `evaluate` moves when position and footprint are off by a few float roundings: the GPU
+// multiplies, scales and adds them, and takes the length and logarithm of the latter.
+template <class Evaluate>
+double readError(const Evaluate& evaluate, const ReadPoint& read) {
+  const double exact = evaluate(read);
+  double error = 0.0;
+  for (double du : {-4 * eps, 4 * eps}) {
+    for (double dv : {-4 * eps, 4 * eps}) {
+      ReadPoint moved = read;
+      moved.u += du;
+      moved.v += dv;
+      error = std::max(error, std::abs(evaluate(moved) - exact));
+    }
+  }
+  for (double part : {-8 * eps, 8 * eps}) {
+    ReadPoint scaled = read;
+    scaled.footprint.x *= 1.0 + part;
+    scaled.footprint.y *= 1.0 + part;
+    error = std::max(error, std::abs(evaluate(scaled) - exact));
+  }
+  return 2 * error;
 }
 
 }  // namespace umbra::test
