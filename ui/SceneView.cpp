@@ -32,6 +32,7 @@ SceneView::SceneView(QWidget* parent) : QVTKOpenGLNativeWidget(parent) {
   window->SetMultiSamples(0);  // unasked, it would be 8 and cost three times the frame
   setRenderWindow(window);
   shadow_ = std::make_unique<ShadowRenderer>(*renderWindow());
+  shadow_->setSplitPace(SplitPace::Gradual);
   overlay_ = new SceneOverlay(this);
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
@@ -158,6 +159,7 @@ std::pair<Image<float>, Image<float>> SceneView::measure(const Technique& techni
   if (upToDate() && sameSettings(technique, *technique_)) return readBack();
   // Whatever happens, the next frame is drawn with the session's technique again.
   const auto restore = [this] {
+    shadow_->setSplitPace(SplitPace::Gradual);
     shadow_->setTechnique(*technique_);
     stale_ = true;
     update();
@@ -165,6 +167,10 @@ std::pair<Image<float>, Image<float>> SceneView::measure(const Technique& techni
   try {
     shadow_->setTechnique(technique);
     shadow_->render();
+    if (shadow_->splitsMoving()) {
+      shadow_->setSplitPace(SplitPace::Converged);
+      shadow_->render();
+    }
     auto measured = readBack();
     restore();
     return measured;
@@ -206,20 +212,25 @@ void SceneView::drawFrame() {
     shadow_->render();
     framePeriod_ = double(timer.nsecsElapsed()) * 1e-6;
     drawn_ = true;
+    const std::vector<double> splits = shadow_->adaptedSplits();
+    channelsRevision_ += splits != splits_;
+    splits_ = splits;
     // What listens may read back and change widgets: not while Qt paints.
-    QMetaObject::invokeMethod(
-        this,
-        [this] {
-          refreshOverlay();
-          emit frameDrawn();
-        },
-        Qt::QueuedConnection);
+    QMetaObject::invokeMethod(this, &SceneView::finishFrame, Qt::QueuedConnection);
   } catch (const std::exception& problem) {
     drawn_ = false;
     const QString message = QString::fromUtf8(problem.what());
     QMetaObject::invokeMethod(
         this, [this, message] { emit failed(message); }, Qt::QueuedConnection);
   }
+}
+
+void SceneView::finishFrame() {
+  refreshOverlay();
+  emit frameDrawn();
+  if (!drawn_ || !shadow_->splitsMoving()) return;
+  stale_ = true;  // splits go on in the next frame
+  update();
 }
 
 void SceneView::resizeEvent(QResizeEvent* event) {

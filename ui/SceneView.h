@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "filters/gpu/ShadowRenderer.h"
 #include "ui/Document.h"
@@ -49,8 +50,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   // Equal numbers mean equal depth maps, and equal channels.
   int mapRevision() const { return mapRevision_; }
   int channelsRevision() const { return channelsRevision_; }
-  // Whether the last frame shows all that was asked for.
-  bool upToDate() const { return drawn_ && !stale_; }
+  // Whether the last frame shows all that was asked for, with splits at rest.
+  bool upToDate() const { return drawn_ && !stale_ && !shadow_->splitsMoving(); }
   double framePeriod() const { return framePeriod_; }  // milliseconds, of the last frame
 
  signals:
@@ -70,6 +71,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
  private:
   void prepareInteraction();
   void drawFrame();
+  void finishFrame();
   void refreshOverlay();
   bool mouseEvent(QMouseEvent* event);
   bool dragLight(QMouseEvent* event);
@@ -83,6 +85,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   std::optional<QPointF> pressed_, lightGrip_;
   bool stale_ = true, drawn_ = false, painting_ = false;
   int mapRevision_ = 0, channelsRevision_ = 0;
+  std::vector<double> splits_;  // of the last frame
   std::unique_ptr<Technique> technique_;
   double framePeriod_ = 0.0;
 };

@@ -111,6 +111,18 @@ void ShadowRenderer::setTechnique(const Technique& technique) {
   implementation_->pass->SetTechnique(technique);
 }
 
+void ShadowRenderer::setSplitPace(SplitPace pace) {
+  implementation_->pass->SetSplitPace(pace);
+}
+
+bool ShadowRenderer::splitsMoving() const {
+  return implementation_->pass->SplitsMoving();
+}
+
+std::vector<double> ShadowRenderer::adaptedSplits() const {
+  return implementation_->pass->GetAdaptedSplits();
+}
+
 Camera ShadowRenderer::camera() const {
   vtkCamera* vtk = implementation_->renderer->GetActiveCamera();
   Camera camera;

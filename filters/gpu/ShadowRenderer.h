@@ -16,6 +16,7 @@
 #include "filters/core/Scene.h"
 #include "filters/core/Technique.h"
 #include "filters/gpu/BakeStage.h"
+#include "filters/gpu/SplitPace.h"
 
 class vtkRenderer;
 class vtkRenderWindow;
@@ -36,7 +37,7 @@ struct SurfacePoint {
 
 // GPU time of one pass of the last frame; passes that had nothing to do are absent.
 struct PassTime {
-  std::string pass;  // "depth", "encode", "prefilter", "levels", "shade", "view"
+  std::string pass;  // "depth", "splits", "encode", "prefilter", "levels", "shade", "view"
   double milliseconds = 0.0;
 };
 
@@ -53,6 +54,9 @@ class ShadowRenderer {
   void setCamera(const Camera& camera);
   void setFrame(const FrameSettings& settings);
   void setTechnique(const Technique& technique);  // copies it, adapts the copy to each depth map
+  // How splits that follow the map (Technique::adaptedSplitCount) come to rest; converged unless
+  // it is set.
+  void setSplitPace(SplitPace pace);
 
   // The camera as an interactor may have moved it.
   Camera camera() const;
@@ -63,6 +67,12 @@ class ShadowRenderer {
   const std::vector<Cascade>& cascades() const;
   // Samples a texel of the last bake; may be fewer than were asked for.
   int samples() const;
+
+  // Whether another frame would move splits.
+  bool splitsMoving() const;
+  // Of the technique in the last frame, ascending, for setAdaptedSplits of a copy that is to agree
+  // with the picture; none where they do not follow the map.
+  std::vector<double> adaptedSplits() const;
 
   // Bakes what changed and draws. Throws NoOpenGL or WorkFailed.
   void render();

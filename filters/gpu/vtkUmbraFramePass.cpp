@@ -159,15 +159,18 @@ void vtkUmbraFramePass::DrawFrame(const vtkRenderState* state) {
 
 void vtkUmbraFramePass::Bake(const vtkRenderState* state) {
   const bool levels = readsLevels(this->Settings.read.filter);
-  if (this->Stale == Stage::Nothing && !(levels && this->Baker.needsLevels())) return;
+  const int splits = this->Asked->adaptedSplitCount();
+  const bool relaxing = splits > 0 && this->Relaxer.due(splits, this->Pace);
+  if (this->Stale == Stage::Nothing && !relaxing && !(levels && this->Baker.needsLevels())) return;
   if (this->Stale == Stage::Depth) this->BakeDepth(state);
   // VTK remembers which program it bound last; the baker binds others.
   windowOf(state->GetRenderer())->GetShaderCache()->ReleaseCurrentShader();
+  if (relaxing) this->RelaxSplits();
   if (this->Stale <= Stage::Encode) {
     const std::string refusal = this->Asked->refusal(this->Settings.map.format);
     if (!refusal.empty()) throw umbra::Error(ErrorKind::WorkFailed, refusal);
     this->Adapted = this->Asked->clone();
-    if (this->Adapted->adaptedSplitCount() > 0) this->Adapted->adapt(this->GetDepthMap());
+    if (splits > 0) this->Adapted->setAdaptedSplits(this->Relaxer.splits());
     this->Adapted->limitTo(this->Settings.map.format);
     const gl::PassTimer::Scope time(this->Timer, "encode");
     this->Baker.encode(*this->Adapted, this->Settings.map.format);
@@ -183,8 +186,25 @@ void vtkUmbraFramePass::Bake(const vtkRenderState* state) {
   }
 }
 
+void vtkUmbraFramePass::RelaxSplits() {
+  const gl::PassTimer::Scope time(this->Timer, "splits");
+  const int count = this->Asked->adaptedSplitCount();
+  if (this->Relaxer.advance(this->Baker.depthMap(), count, this->Pace))
+    this->MakeStale(Stage::Encode);
+}
+
+bool vtkUmbraFramePass::SplitsMoving() const {
+  return this->Asked && this->Asked->adaptedSplitCount() > 0 && this->Relaxer.moving();
+}
+
+std::vector<double> vtkUmbraFramePass::GetAdaptedSplits() const {
+  if (!this->Asked || this->Asked->adaptedSplitCount() == 0) return {};
+  return this->Relaxer.splits();
+}
+
 void vtkUmbraFramePass::BakeDepth(const vtkRenderState* state) {
   this->DepthValues.reset();
+  this->Relaxer.mapChanged();
   const int size = this->Settings.map.size;
   this->Baker.prepareDepth(size, size);
   // The frame's y is turned round and the winding with it: culling what OpenGL takes for back
@@ -301,6 +321,7 @@ void vtkUmbraFramePass::ReleaseGraphicsResources(vtkWindow* window) {
   this->Others->ReleaseGraphicsResources(window);
   if (this->Caster) this->Caster->ReleaseGraphicsResources(window);
   this->Baker.releaseGraphicsResources();
+  this->Relaxer.releaseGraphicsResources();
   this->Programs.clear();
   this->NoVertices.reset();
   this->Timer.clear();

@@ -14,6 +14,7 @@
 #include "filters/core/Light.h"
 #include "filters/core/Technique.h"
 #include "filters/gpu/ChannelBaker.h"
+#include "filters/gpu/SplitRelaxer.h"
 #include "filters/gpu/gl/PassTimer.h"
 #include "filters/gpu/vtkUmbraDepthPass.h"
 #include "filters/gpu/vtkUmbraShadingPass.h"
@@ -35,6 +36,13 @@ class vtkUmbraFramePass : public vtkRenderPass {
   void SetLightFrame(const LightFrame& frame);
   void SetSettings(const FrameSettings& settings);
   void SetTechnique(const Technique& technique);
+
+  // How splits that follow the map come to rest: converged unless it is set.
+  void SetSplitPace(SplitPace pace) { this->Pace = pace; }
+  // Whether another frame would move them.
+  bool SplitsMoving() const;
+  // Ascending, of the last frame; none where the technique's do not follow the map.
+  std::vector<double> GetAdaptedSplits() const;
 
   // Never throws: an error ends the frame and waits for RethrowError.
   void Render(const vtkRenderState* state) override;
@@ -63,6 +71,7 @@ class vtkUmbraFramePass : public vtkRenderPass {
   void DrawFrame(const vtkRenderState* state);
   void Bake(const vtkRenderState* state);
   void BakeDepth(const vtkRenderState* state);
+  void RelaxSplits();
   MapReads Reads() const;  // of the maps as they are baked
   void CullInsides(vtkRenderer* renderer);
   void Show(vtkRenderer* renderer);
@@ -72,6 +81,8 @@ class vtkUmbraFramePass : public vtkRenderPass {
   vtkSmartPointer<vtkUmbraShadingPass> Shading;
   vtkSmartPointer<vtkDefaultPass> Others;  // draws the props that are not the scene's
   ChannelBaker Baker;
+  SplitRelaxer Relaxer;  // of the first cascade's map
+  SplitPace Pace = SplitPace::Converged;
   gl::ProgramCache Programs;
   gl::VertexArrayHandle NoVertices;
   gl::PassTimer Timer;
