@@ -8,18 +8,25 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <Eigen/LU>
+#include <array>
 #include <cmath>
 
 #include "filters/core/Error.h"
+#include "filters/gpu/CascadeLines.h"
 #include "filters/gpu/GlErrors.h"
 #include "filters/gpu/SceneActors.h"
+#include "filters/gpu/VtkCamera.h"
 #include "filters/gpu/vtkUmbraFramePass.h"
 
 namespace umbra {
 namespace {
 
-Eigen::Vector3d toVector(const double* values) {
-  return {values[0], values[1], values[2]};
+// Four floats of one pixel of a picture.
+std::array<float, 4> pixelOf(const gl::Texture& picture, int x, int y) {
+  std::array<float, 4> values{};
+  glGetTextureSubImage(picture.name(), 0, x, y, 0, 1, 1, 1, GL_RGBA, GL_FLOAT, sizeof values,
+                       values.data());
+  return values;
 }
 
 }  // namespace
@@ -29,11 +36,13 @@ class ShadowRenderer::Implementation {
   explicit Implementation(vtkRenderWindow& w) : window(w), lights(*renderer) {
     renderer->SetBackground(0.93, 0.94, 0.96);
     renderer->SetPass(pass);
+    lines.addTo(*renderer);
     window.AddRenderer(renderer);
   }
   ~Implementation() {
     window.MakeCurrent();
     actors.removeFrom(*renderer);
+    lines.removeFrom(*renderer);
     renderer->SetPass(nullptr);
     pass->ReleaseGraphicsResources(&window);
     window.RemoveRenderer(renderer);
@@ -41,7 +50,18 @@ class ShadowRenderer::Implementation {
 
   void updateLight() {
     lights.setLight(light);
-    if (scene) pass->SetLightFrame(fitLightFrame(light, scene->lightBounds()));
+    if (!scene) return;
+    const Eigen::AlignedBox3d bounds = scene->lightBounds();
+    pass->SetLightFrame(fitLightFrame(light, bounds), bounds);
+  }
+
+  // A view that was held fast is seen from elsewhere, split as it is.
+  void updateLines() {
+    const CascadeSettings& cascades = pass->GetSettings().map.cascades;
+    if (scene && cascades.frozen && cascades.count > 1)
+      lines.show(*cascades.frozen, renderer->GetTiledAspectRatio(), pass->FitCascades(renderer));
+    else
+      lines.hide();
   }
 
   // For read-backs: throws when there is nothing to read.
@@ -69,6 +89,7 @@ class ShadowRenderer::Implementation {
   vtkNew<vtkUmbraFramePass> pass;
   SceneActors actors;
   SceneLights lights;
+  CascadeLines lines;
   std::shared_ptr<const Scene> scene;
   Light light;
 };
@@ -124,13 +145,7 @@ std::vector<double> ShadowRenderer::adaptedSplits() const {
 }
 
 Camera ShadowRenderer::camera() const {
-  vtkCamera* vtk = implementation_->renderer->GetActiveCamera();
-  Camera camera;
-  camera.position = toVector(vtk->GetPosition());
-  camera.target = toVector(vtk->GetFocalPoint());
-  camera.up = toVector(vtk->GetViewUp());
-  camera.viewAngle = vtk->GetViewAngle();
-  return camera;
+  return cameraOf(*implementation_->renderer->GetActiveCamera());
 }
 
 vtkRenderer& ShadowRenderer::renderer() {
@@ -144,6 +159,7 @@ LightFrame ShadowRenderer::lightFrame() const {
 void ShadowRenderer::render() {
   Implementation& my = *implementation_;
   const VtkErrors errors;
+  my.updateLines();
   my.renderer->ResetCameraClippingRange();
   my.window.Render();
   my.pass->RethrowError();
@@ -178,10 +194,9 @@ std::optional<SurfacePoint> ShadowRenderer::surfaceAt(int x, int y) {
   const gl::Texture& surfaces = my.pass->GetShading().GetSurfaces();
   if (x < 0 || y < 0 || x >= surfaces.width() || y >= surfaces.height()) return {};
   const int row = surfaces.height() - 1 - y;
-  float values[4], depth = 1.0f;
-  glGetTextureSubImage(surfaces.name(), 0, x, row, 0, 1, 1, 1, GL_RGBA, GL_FLOAT, sizeof values,
-                       values);
+  const std::array<float, 4> values = pixelOf(surfaces, x, row);
   if (values[0] < 0.0f) return {};
+  float depth = 1.0f;
   glGetTextureSubImage(my.pass->GetShading().GetDepth().name(), 0, x, row, 0, 1, 1, 1,
                        GL_DEPTH_COMPONENT, GL_FLOAT, sizeof depth, &depth);
   SurfacePoint point;
@@ -191,6 +206,12 @@ std::optional<SurfacePoint> ShadowRenderer::surfaceAt(int x, int y) {
   point.visibility = values[3];
   point.facesLight = !std::signbit(values[2]);
   point.world = my.unproject(x, row, depth);
+  if (const gl::Texture& footprints = my.pass->GetShading().GetFootprints()) {
+    const std::array<float, 4> footprint = pixelOf(footprints, x, row);
+    point.footprint = {footprint[0], footprint[1], int(footprint[2])};
+    point.cascade = int(footprint[3]);
+    point.nextCascade = footprint[3] - float(point.cascade);
+  }
   return point;
 }
 
@@ -203,14 +224,22 @@ Image<float> ShadowRenderer::reference() {
   return gl::flipped(texture.width(), texture.height(), 1, reference);
 }
 
-const DepthMap& ShadowRenderer::depthMap(int) {
-  implementation_->requireFrame();
-  return implementation_->pass->GetDepthMap();
+const std::vector<Cascade>& ShadowRenderer::cascades() const {
+  return implementation_->pass->GetCascades();
 }
 
-Image<float> ShadowRenderer::channels(BakeStage stage) {
+int ShadowRenderer::samples() const {
+  return implementation_->pass->GetBaker().samples();
+}
+
+const DepthMap& ShadowRenderer::depthMap(int cascade) {
   implementation_->requireFrame();
-  return implementation_->pass->GetBaker().read(stage);
+  return implementation_->pass->GetDepthMap(cascade);
+}
+
+Image<float> ShadowRenderer::channels(BakeStage stage, int cascade) {
+  implementation_->requireFrame();
+  return implementation_->pass->GetBaker().read(stage, cascade);
 }
 
 std::vector<PassTime> ShadowRenderer::passTimes() const {

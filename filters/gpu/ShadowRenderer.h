@@ -88,7 +88,8 @@ class ShadowRenderer {
   Image<float> reference();
   // Read back once per bake; of one cascade.
   const DepthMap& depthMap(int cascade = 0);
-  Image<float> channels(BakeStage stage);  // of the technique, interleaved in its order
+  // Of the technique, interleaved in its order; of one cascade.
+  Image<float> channels(BakeStage stage, int cascade = 0);
 
   std::vector<PassTime> passTimes() const;
 

@@ -16,11 +16,13 @@
 
 #include "FullScreen_vert_glsl.h"
 #include "View_frag_glsl.h"
+#include "filters/core/Composition.h"
 #include "filters/core/Error.h"
 #include "filters/core/TechniqueEquality.h"
 #include "filters/gpu/SceneActors.h"
 #include "filters/gpu/TechniqueShader.h"
 #include "filters/gpu/ViewColours.h"
+#include "filters/gpu/VtkCamera.h"
 
 namespace umbra {
 namespace {
@@ -43,9 +45,14 @@ int viewNumber(ViewMode view, const Technique& technique) {
     case ViewMode::Depth:
       return 3;
     case ViewMode::Cascades:
-      return 0;
+      return 5;
   }
   return 0;
+}
+
+bool sameFrame(const LightFrame& a, const LightFrame& b) {
+  return a.kind == b.kind && a.worldToLight == b.worldToLight && a.lightToClip == b.lightToClip &&
+         a.nearDistance == b.nearDistance && a.farDistance == b.farDistance;
 }
 
 // A summed-area table averages the kernel's box by itself.
@@ -73,20 +80,17 @@ void vtkUmbraFramePass::SetScene(const SceneActors& actors) {
   this->MakeStale(Stage::Depth);
 }
 
-void vtkUmbraFramePass::SetLightFrame(const LightFrame& frame) {
-  const LightFrame& old = this->Frame;
-  if (this->HasLightFrame && old.kind == frame.kind && old.worldToLight == frame.worldToLight &&
-      old.lightToClip == frame.lightToClip && old.nearDistance == frame.nearDistance &&
-      old.farDistance == frame.farDistance)
-    return;
+void vtkUmbraFramePass::SetLightFrame(const LightFrame& frame, const Eigen::AlignedBox3d& bounds) {
+  // Whether depths have to be drawn again shows when the cascades have been fitted.
   this->Frame = frame;
+  this->Bounds = bounds;
   this->HasLightFrame = true;
-  this->MakeStale(Stage::Depth);
 }
 
 void vtkUmbraFramePass::SetSettings(const FrameSettings& settings) {
   const FrameSettings old = std::exchange(this->Settings, settings);
-  if (old.map.size != settings.map.size || old.bias.cullFrontFaces != settings.bias.cullFrontFaces)
+  if (old.map.size != settings.map.size || old.map.samples != settings.map.samples ||
+      old.bias.cullFrontFaces != settings.bias.cullFrontFaces)
     this->MakeStale(Stage::Depth);
   if (old.map.format != settings.map.format) this->MakeStale(Stage::Encode);
   if (blurOf(old) != blurOf(settings)) this->MakeStale(Stage::Prefilter);
@@ -126,7 +130,10 @@ void vtkUmbraFramePass::DrawFrame(const vtkRenderState* state) {
   }
   this->Timer.startFrame();
   const bool complete = this->Caster && this->Asked && this->HasLightFrame;
-  if (complete) this->Bake(state);
+  if (complete) {
+    this->FitCascades(renderer);
+    this->Bake(state);
+  }
 
   this->ClearLights(renderer);
   this->UpdateLightGeometry(renderer);
@@ -140,6 +147,7 @@ void vtkUmbraFramePass::DrawFrame(const vtkRenderState* state) {
     this->Shading->SetMaps(&this->Baker.depthMap(), &this->Baker.channelMap(),
                            &this->Baker.levelMap());
     this->Shading->SetReads(this->Reads());
+    this->Shading->SetCascades(this->Cascades);
     this->Shading->SetLightFrame(this->Frame);
     this->Shading->SetSettings(this->Settings);
     {
@@ -157,18 +165,28 @@ void vtkUmbraFramePass::DrawFrame(const vtkRenderState* state) {
   this->NumberOfRenderedProps += this->Others->GetNumberOfRenderedProps();
 }
 
+const std::vector<Cascade>& vtkUmbraFramePass::FitCascades(vtkRenderer* renderer) {
+  if (!this->HasLightFrame) return this->Cascades;
+  const MapSettings& map = this->Settings.map;
+  const Camera camera = map.cascades.frozen.value_or(cameraOf(*renderer->GetActiveCamera()));
+  this->Cascades = fitCascades(this->Frame, camera, renderer->GetTiledAspectRatio(), this->Bounds,
+                               map, this->Settings.kernel.effectiveRadius());
+  return this->Cascades;
+}
+
 void vtkUmbraFramePass::Bake(const vtkRenderState* state) {
+  const std::string reason = whyImpossible(this->Settings, *this->Asked);
+  if (!reason.empty()) throw umbra::Error(ErrorKind::WorkFailed, reason);
+  this->BakeDepth(state);
   const bool levels = readsLevels(this->Settings.read.filter);
+  const auto needsMore = [&] { return levels && this->Baker.needsLevels(); };
   const int splits = this->Asked->adaptedSplitCount();
   const bool relaxing = splits > 0 && this->Relaxer.due(splits, this->Pace);
-  if (this->Stale == Stage::Nothing && !relaxing && !(levels && this->Baker.needsLevels())) return;
-  if (this->Stale == Stage::Depth) this->BakeDepth(state);
+  if (this->Stale == Stage::Nothing && !relaxing && !needsMore()) return;
   // VTK remembers which program it bound last; the baker binds others.
   windowOf(state->GetRenderer())->GetShaderCache()->ReleaseCurrentShader();
   if (relaxing) this->RelaxSplits();
   if (this->Stale <= Stage::Encode) {
-    const std::string refusal = this->Asked->refusal(this->Settings.map.format);
-    if (!refusal.empty()) throw umbra::Error(ErrorKind::WorkFailed, refusal);
     this->Adapted = this->Asked->clone();
     if (splits > 0) this->Adapted->setAdaptedSplits(this->Relaxer.splits());
     this->Adapted->limitTo(this->Settings.map.format);
@@ -180,7 +198,7 @@ void vtkUmbraFramePass::Bake(const vtkRenderState* state) {
     this->Baker.prefilter(blurOf(this->Settings));
   }
   this->Stale = Stage::Nothing;
-  if (levels && this->Baker.needsLevels()) {
+  if (needsMore()) {
     const gl::PassTimer::Scope time(this->Timer, "levels");
     this->Baker.buildLevels();
   }
@@ -202,18 +220,38 @@ std::vector<double> vtkUmbraFramePass::GetAdaptedSplits() const {
   return this->Relaxer.splits();
 }
 
+// Draws the cascades whose windows are not those that they were drawn from last.
 void vtkUmbraFramePass::BakeDepth(const vtkRenderState* state) {
-  this->DepthValues.reset();
-  this->Relaxer.mapChanged();
-  const int size = this->Settings.map.size;
-  this->Baker.prepareDepth(size, size);
+  const std::size_t count = this->Cascades.size();
+  if (this->Stale == Stage::Depth || this->Drawn.size() != count) {
+    this->Drawn.clear();
+    this->DepthValues.assign(count, std::nullopt);
+    const int size = this->Settings.map.size;
+    const int samples = vtkUmbraDepthPass::SamplesGiven(this->Settings.map.samples);
+    this->Baker.prepareDepth(size, size, int(count), samples);
+  }
+  std::vector<std::size_t> stale;
+  for (std::size_t i = 0; i < count; ++i)
+    if (i >= this->Drawn.size() || !sameFrame(this->Drawn[i], this->Cascades[i].frame))
+      stale.push_back(i);
+  if (stale.empty()) return;
+  const gl::PassTimer::Scope time(this->Timer, "depth");
+  this->Drawn.resize(count);
+  for (std::size_t i : stale) this->DrawDepth(state, i);
+  this->MakeStale(Stage::Encode);
+}
+
+void vtkUmbraFramePass::DrawDepth(const vtkRenderState* state, std::size_t cascade) {
+  this->DepthValues[cascade].reset();
+  if (cascade == 0) this->Relaxer.mapChanged();
+  this->Drawn[cascade] = this->Cascades[cascade].frame;
   // The frame's y is turned round and the winding with it: culling what OpenGL takes for back
   // faces removes the faces towards the light.
   this->Caster->GetProperty()->SetBackfaceCulling(this->Settings.bias.cullFrontFaces);
   this->Depth->SetCaster(this->Caster);
-  this->Depth->SetLightFrame(this->Frame);
-  this->Depth->SetTarget(&this->Baker.depthMap());
-  const gl::PassTimer::Scope time(this->Timer, "depth");
+  this->Depth->SetLightFrame(this->Drawn[cascade]);
+  this->Depth->SetSamples(this->Baker.samples());
+  this->Depth->SetTarget(&this->Baker.depthMap(), int(cascade) * this->Baker.samples());
   this->Depth->Render(state);
 }
 
@@ -281,6 +319,8 @@ void vtkUmbraFramePass::Show(vtkRenderer* renderer) {
   gl::setUniform(program, "umbraFullError", fullError);
   gl::setUniform(program, "umbraOrigin", left, bottom);
   gl::setUniform3(program, "umbraLayerColours", {layerColours[0].data(), 3 * layerColours.size()});
+  gl::setUniform3(program, "umbraCascadeColours",
+                  {cascadeColours[0].data(), 3 * cascadeColours.size()});
   setReadUniforms(program, this->Reads());
   setTechniqueUniforms(program, *this->Adapted, this->Settings.map.format);
 
@@ -296,9 +336,10 @@ void vtkUmbraFramePass::Show(vtkRenderer* renderer) {
   glUseProgram(0);
 }
 
-const DepthMap& vtkUmbraFramePass::GetDepthMap() {
-  if (!this->DepthValues) this->DepthValues = this->Baker.readDepth();
-  return *this->DepthValues;
+const DepthMap& vtkUmbraFramePass::GetDepthMap(int cascade) {
+  std::optional<DepthMap>& map = this->DepthValues.at(std::size_t(cascade));
+  if (!map) map = this->Baker.readDepth(cascade);
+  return *map;
 }
 
 MapReads vtkUmbraFramePass::Reads() const {
@@ -307,6 +348,10 @@ MapReads vtkUmbraFramePass::Reads() const {
   reads.filter = this->Settings.read.filter;
   reads.samples = this->Baker.samples();
   reads.cascades = this->Baker.cascades();
+  for (std::size_t i = 0; i < this->Cascades.size(); ++i) {
+    const Cascade& cascade = this->Cascades[i];
+    reads.windows[i] = Eigen::Vector3d(cascade.left, cascade.top, cascade.side).cast<float>();
+  }
   return reads;
 }
 

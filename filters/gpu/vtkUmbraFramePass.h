@@ -10,6 +10,7 @@
 #include <optional>
 #include <unordered_set>
 
+#include "filters/core/Cascades.h"
 #include "filters/core/FrameSettings.h"
 #include "filters/core/Light.h"
 #include "filters/core/Technique.h"
@@ -33,7 +34,8 @@ class vtkUmbraFramePass : public vtkRenderPass {
 
   // Each makes stale what depends on it and no more.
   void SetScene(const SceneActors& actors);
-  void SetLightFrame(const LightFrame& frame);
+  // The frame is fitted to `bounds` (world): the view of them is what cascades split.
+  void SetLightFrame(const LightFrame& frame, const Eigen::AlignedBox3d& bounds);
   void SetSettings(const FrameSettings& settings);
   void SetTechnique(const Technique& technique);
 
@@ -55,7 +57,12 @@ class vtkUmbraFramePass : public vtkRenderPass {
   const LightFrame& GetLightFrame() const { return this->Frame; }
   // Whether a frame was drawn whose maps and pictures still exist.
   bool HasFrame() const { return this->FrameDrawn; }
-  const DepthMap& GetDepthMap();
+  // Fits the cascades to the renderer's camera as it is now, or to the frozen one; each frame does
+  // it by itself.
+  const std::vector<Cascade>& FitCascades(vtkRenderer* renderer);
+  const std::vector<Cascade>& GetCascades() const { return this->Cascades; }
+  const FrameSettings& GetSettings() const { return this->Settings; }
+  const DepthMap& GetDepthMap(int cascade = 0);
   // Two floats a pixel, bottom row first: visibility and reference.
   std::vector<float> EvaluateSurfaces();
 
@@ -72,6 +79,7 @@ class vtkUmbraFramePass : public vtkRenderPass {
   void Bake(const vtkRenderState* state);
   void BakeDepth(const vtkRenderState* state);
   void RelaxSplits();
+  void DrawDepth(const vtkRenderState* state, std::size_t cascade);
   MapReads Reads() const;  // of the maps as they are baked
   void CullInsides(vtkRenderer* renderer);
   void Show(vtkRenderer* renderer);
@@ -91,12 +99,15 @@ class vtkUmbraFramePass : public vtkRenderPass {
   std::vector<vtkSmartPointer<vtkActor>> ClosedBodies;
   vtkSmartPointer<vtkActor> Caster;
   LightFrame Frame;
+  Eigen::AlignedBox3d Bounds;
   bool HasLightFrame = false;
+  std::vector<Cascade> Cascades;
+  std::vector<LightFrame> Drawn;  // what each cascade's depths were drawn from
   FrameSettings Settings;
   std::unique_ptr<Technique> Asked;    // as it was set
   std::unique_ptr<Technique> Adapted;  // to the depth map and the format
   Stage Stale = Stage::Depth;
-  std::optional<DepthMap> DepthValues;  // read back at most once per bake
+  std::vector<std::optional<DepthMap>> DepthValues;  // of each cascade, read back once per bake
   bool FrameDrawn = false;
   std::exception_ptr Error;
 };

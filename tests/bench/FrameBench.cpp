@@ -37,7 +37,7 @@ void countPasses(benchmark::State& state, const ShadowRenderer& renderer) {
 }
 
 struct Stage {
-  Stage(const char* scenery, const char* technique, int radius = 3)
+  Stage(const char* scenery, const char* technique, int radius = 3, int cascades = 1)
       : window(makeHeadlessWindow(1280, 720)), renderer(*window) {
     const auto scene = std::make_shared<const Scene>(makeScene(scenery));
     light = scene->light;
@@ -46,6 +46,7 @@ struct Stage {
     light.halfAngle = 40.0;
     settings.map.size = mapSize;
     settings.kernel.radius = radius;
+    settings.map.cascades.count = cascades;
     renderer.setScene(scene);
     renderer.setLight(light);
     renderer.setCamera(scene->camera);
@@ -69,6 +70,26 @@ void cameraMoves(benchmark::State& state, const char* scenery, const char* techn
   Stage stage(scenery, technique);
   for (auto _ : state) {
     stage.renderer.renderer().GetActiveCamera()->Azimuth(0.01);
+    stage.renderer.render();
+    glFinish();
+  }
+  countPasses(state, stage.renderer);
+}
+
+// Windows that stand still cost a frame only what choosing among them does; a camera that walks
+// moves them and bakes all. The sun's, since a spot light's may all be the whole map.
+void inCascades(benchmark::State& state, const char* scenery, int cascades, bool walks) {
+  Stage stage(scenery, "vsm", 3, cascades);
+  stage.light.kind = LightKind::Directional;
+  stage.renderer.setLight(stage.light);
+  vtkCamera* camera = stage.renderer.renderer().GetActiveCamera();
+  double side = 1.0;
+  for (auto _ : state) {
+    if (walks) {
+      const double* at = camera->GetPosition();
+      camera->SetPosition(at[0] + side, at[1], at[2]);
+      side = -side;
+    }
     stage.renderer.render();
     glFinish();
   }
@@ -143,6 +164,10 @@ UMBRA_BENCHMARK(cameraMoves, tree_bench_vsm, "tree-bench", "vsm");
 UMBRA_BENCHMARK(cameraMoves, tree_bench_pcf, "tree-bench", "pcf");
 UMBRA_BENCHMARK(lightMoves, tree_bench_vsm, "tree-bench", "vsm")->Arg(1)->Arg(3)->Arg(16)->Arg(64);
 UMBRA_BENCHMARK(lightMoves, tree_bench_power_cdf, "tree-bench", "power-cdf")->Arg(3)->Arg(64);
+UMBRA_BENCHMARK(inCascades, tree_bench_one_stands, "tree-bench", 1, false);
+UMBRA_BENCHMARK(inCascades, tree_bench_one_walks, "tree-bench", 1, true);
+UMBRA_BENCHMARK(inCascades, tree_bench_three_stand, "tree-bench", 3, false);
+UMBRA_BENCHMARK(inCascades, tree_bench_three_walk, "tree-bench", 3, true);
 UMBRA_BENCHMARK(vtkAlone, three_planes_shadow_map_pass, "three-planes", true, true);
 UMBRA_BENCHMARK(cameraMoves, three_planes_vsm, "three-planes", "vsm");
 UMBRA_BENCHMARK(lightMoves, three_planes_vsm, "three-planes", "vsm")->Arg(3);

@@ -1,0 +1,421 @@
+// Parallel-split cascades in the shaded frame: who is drawn from which map, and that shadows stay
+// what they were.
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+
+#include <cmath>
+
+#include "filters/core/Error.h"
+#include "filters/core/Prefilter.h"
+#include "filters/gpu/ViewColours.h"
+#include "tests/gpu/FrameFixture.h"
+#include "tests/gpu/Rounding.h"
+
+namespace umbra {
+namespace {
+
+using Eigen::Vector3d;
+
+// A long ground with three rows of posts, seen from one end at a man's height.
+std::shared_ptr<Scene> avenue() {
+  auto scene = std::make_shared<Scene>();
+  scene->name = "avenue";
+  SceneObject ground, posts;
+  ground.name = "ground";
+  ground.mesh = test::rectangle({-30, 0, -60}, {0, 0, 80}, {60, 0, 0});
+  posts.name = "posts";
+  for (int row = 0; row < 14; ++row) {
+    for (float x : {-3.0f, 0.9f, 3.3f}) {
+      const float z = 13.0f - 4.6f * float(row) + 0.37f * x;
+      const Mesh post = test::box({x, 0, z}, {x + 0.3f, 2.1f, z + 0.3f});
+      const auto offset = std::uint32_t(posts.mesh.positions.size());
+      Mesh& all = posts.mesh;
+      all.positions.insert(all.positions.end(), post.positions.begin(), post.positions.end());
+      all.normals.insert(all.normals.end(), post.normals.begin(), post.normals.end());
+      for (const auto& [a, b, c] : post.triangles)
+        all.triangles.push_back({a + offset, b + offset, c + offset});
+    }
+  }
+  scene->objects = {ground, posts};
+  scene->light.position = {14, 20, 9};
+  scene->light.target = {0, 0, 0};
+  scene->camera.position = {0.4, 2.6, 18.0};
+  scene->camera.target = {0.2, 1.0, 8.0};
+  scene->camera.viewAngle = 40.0;
+  return scene;
+}
+
+Vector3d forwardOf(const Camera& camera) {
+  return (camera.target - camera.position).normalized();
+}
+
+class Cascaded : public test::FrameFixture {
+ protected:
+  Cascaded() {
+    settings.map.size = 256;
+    settings.map.cascades.count = 3;
+  }
+
+  // One of a pixel's reads: of which map, where, and how much of the pixel it is.
+  struct Read {
+    int cascade;
+    double u, v, weight;
+    double shift;  // of u and v by the GPU's rounding
+  };
+  std::vector<Read> readsOf(const SurfacePoint& point) {
+    const Cascade& own = renderer->cascades()[std::size_t(point.cascade)];
+    // Multiplied by the size of the map.
+    const double shift = 4 * test::eps;
+    std::vector<Read> reads{{point.cascade, point.u, point.v, 1 - point.nextCascade, shift}};
+    if (point.nextCascade > 0.0) {
+      // Through the whole map, where windows and position are eight roundings of at most 1 each.
+      const Cascade& next = renderer->cascades()[std::size_t(point.cascade) + 1];
+      reads.push_back({point.cascade + 1, next.u(own.left + own.side * point.u),
+                       next.v(own.top + own.side * point.v), point.nextCascade,
+                       8 * test::eps / next.side + shift});
+    }
+    return reads;
+  }
+
+  // What `evaluate(map, u, v)` gives over a pixel's reads, and how far rounding may move it.
+  template <class Evaluate>
+  std::pair<double, double> over(const SurfacePoint& point, const Evaluate& evaluate) {
+    double value = 0.0, error = 0.0;
+    for (const Read& read : readsOf(point)) {
+      const DepthMap& map = renderer->depthMap(read.cascade);
+      const double exact = evaluate(map, read.u, read.v);
+      double worst = 0.0;
+      for (double du : {-read.shift, read.shift})
+        for (double dv : {-read.shift, read.shift})
+          worst = std::max(worst, std::abs(evaluate(map, read.u + du, read.v + dv) - exact));
+      value += read.weight * exact;
+      error += 2 * worst;
+    }
+    return {value, error};
+  }
+
+  Region regionAt(const DepthMap& map, double u, double v) {
+    return regionOf(map, settings.kernel, {settings.read.filter, u, v, {}});
+  }
+  double visibilityIn(const DepthMap& map, double u, double v, double receiver) {
+    const std::vector<double> channels =
+        readBilinear(map, *technique, settings.kernel, settings.map.format, u, v);
+    return technique->visibility({channels, regionAt(map, u, v)}, receiver);
+  }
+};
+
+// Windows that all are the whole map: the same picture as one map makes.
+TEST_F(Cascaded, CascadesOfTheWholeMapChangeNothing) {
+  settings.map.cascades.count = 1;
+  const auto scene = test::slabAndBall();
+  scene->camera.position = {0, 25, 50};  // so far off that each part's sphere holds all
+  show(scene, "vsm");
+  const Image<float> one = renderer->surfaces();
+  settings.map.cascades.splitLambda = 0.9;
+  settings.map.cascades.frozen = test::slabOverGround()->camera;
+  showAgain();
+  EXPECT_EQ(renderer->surfaces(), one) << "one map is not split";
+  EXPECT_EQ(passes(), "shade view");
+
+  settings.map.cascades = {.count = 4};
+  showAgain();
+  for (const Cascade& cascade : renderer->cascades()) ASSERT_EQ(cascade.side, 1.0);
+  const Image<float> four = renderer->surfaces();
+  int seams = 0;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      for (int c = 0; c < 3; ++c) ASSERT_EQ(four(x, y, c), one(x, y, c));
+      // Where two equal visibilities are mixed, their mean is rounded.
+      ASSERT_NEAR(four(x, y, 3), one(x, y, 3), 4 * test::eps);
+      seams += renderer->surfaceAt(x, y).value_or(SurfacePoint{}).nextCascade > 0.0;
+    }
+  }
+  EXPECT_GT(seams, 50);
+}
+
+TEST_F(Cascaded, EveryPixelIsDrawnFromTheCascadeOfItsDistance) {
+  for (LightKind kind : {LightKind::Directional, LightKind::Spot}) {
+    SCOPED_TRACE(nameOf(kind));
+    const auto scene = avenue();
+    scene->light.kind = kind;
+    scene->light.halfAngle = 50;
+    if (kind == LightKind::Spot) scene->light.position = {6, 24, 22};
+    show(scene, "vsm");
+    const std::vector<Cascade>& cascades = renderer->cascades();
+    ASSERT_EQ(cascades.size(), 3u);
+    EXPECT_LT(cascades[0].side, 0.6);
+    int counts[3] = {}, seams = 0;
+    for (int y = 0; y < height; y += 5) {
+      for (int x = 0; x < width; x += 5) {
+        const auto point = renderer->surfaceAt(x, y);
+        if (!point) continue;
+        const LightPoint whole = renderer->lightFrame().project(point->world);
+        if (!whole.inside) continue;
+        const Cascade& own = cascades[std::size_t(point->cascade)];
+        const double distance =
+            (point->world - scene->camera.position).dot(forwardOf(scene->camera));
+        // The world point comes back from the camera's depth buffer, the distance grows with it.
+        const double slack = 1e-3 * distance;
+        EXPECT_LE(own.nearDistance, distance + slack);
+        EXPECT_GE(own.farDistance, distance - slack);
+        EXPECT_NEAR(point->u, own.u(whole.u), 1e-3 / own.side);
+        EXPECT_NEAR(point->v, own.v(whole.v), 1e-3 / own.side);
+        const double seam = own.seamDistance(settings.map.cascades.seam);
+        if (distance < seam - slack || point->cascade == 2) {
+          EXPECT_EQ(point->nextCascade, 0.0);
+        }
+        if (point->nextCascade > 0.0) {
+          EXPECT_NEAR(point->nextCascade, (distance - seam) / (own.farDistance - seam),
+                      2 * slack / (own.farDistance - seam));
+        }
+        ++counts[point->cascade];
+        seams += point->nextCascade > 0.0;
+      }
+    }
+    for (int count : counts) EXPECT_GT(count, 20);
+    EXPECT_GT(seams, 20);
+  }
+}
+
+TEST_F(Cascaded, AgreesWithTheReferenceInEveryCascadeAndSeam) {
+  settings.map.cascades.seam = 0.3;
+  for (const char* id : {"pcf", "vsm", "power-cdf"}) {
+    SCOPED_TRACE(id);
+    show(avenue(), id);
+    const Image<float> reference = renderer->reference();
+    int compared = 0, penumbra = 0, seams = 0;
+    for (int y = 0; y < height; y += 3) {
+      for (int x = 0; x < width; x += 3) {
+        const auto point = renderer->surfaceAt(x, y);
+        if (!point || point->u < 0 || point->u > 1 || point->v < 0 || point->v > 1) continue;
+        const auto [visibility, moved] = over(*point, [&](const DepthMap& map, double u, double v) {
+          return visibilityIn(map, u, v, point->receiver);
+        });
+        double arithmetic = 4 * test::eps;
+        for (const Read& read : readsOf(*point)) {
+          const DepthMap& map = renderer->depthMap(read.cascade);
+          const std::vector<double> channels =
+              readBilinear(map, *technique, settings.kernel, settings.map.format, read.u, read.v);
+          arithmetic +=
+              read.weight * test::visibilityError(*technique, settings.map.format,
+                                                  {channels, regionAt(map, read.u, read.v)},
+                                                  point->receiver);
+        }
+        ASSERT_NEAR(point->visibility, visibility, arithmetic + moved)
+            << "pixel " << x << "," << y << ", cascade " << point->cascade << " + "
+            << point->nextCascade;
+        const auto [truth, truthMoved] = over(*point, [&](const DepthMap& map, double u, double v) {
+          return referenceVisibility(regionAt(map, u, v), point->receiver);
+        });
+        ASSERT_NEAR(reference(x, y), truth, truthMoved + 32 * test::eps)
+            << "pixel " << x << "," << y;
+        ++compared;
+        penumbra += truth > 0.0 && truth < 1.0;
+        seams += point->nextCascade > 0.0 && truth > 0.0 && truth < 1.0;
+      }
+    }
+    EXPECT_GT(compared, 1000);
+    EXPECT_GT(penumbra, 100);
+    EXPECT_GT(seams, 10);
+  }
+}
+
+// A step aside and a turn move each window by whole texels: the depths that two windows share are
+// the same but for rounding, which moves edges by far less than a fiftieth of a texel.
+TEST_F(Cascaded, DepthsStandStillWhileTheCameraMoves) {
+  const auto scene = avenue();
+  show(scene, "vsm");
+  const std::vector<Cascade> before = renderer->cascades();
+  std::vector<DepthMap> maps;
+  for (int i = 0; i < 3; ++i) maps.push_back(renderer->depthMap(i));
+
+  Camera camera = scene->camera;
+  camera.position += Vector3d(0.11, 0.02, -0.07);
+  camera.target += Vector3d(0.25, 0.01, -0.07);
+  renderer->setCamera(camera);
+  renderer->render();
+  EXPECT_EQ(passes(), "depth encode prefilter shade view");
+  const int size = settings.map.size;
+  int moved = 0;
+  for (int i = 0; i < 3; ++i) {
+    const Cascade& a = before[std::size_t(i)];
+    const Cascade& b = renderer->cascades()[std::size_t(i)];
+    ASSERT_EQ(a.side, b.side);
+    const int dx = int(std::lround((b.left - a.left) / a.side * size)),
+              dy = int(std::lround((b.top - a.top) / a.side * size));
+    moved += dx != 0 || dy != 0;
+    const DepthMap& old = maps[std::size_t(i)];
+    const DepthMap& now = renderer->depthMap(i);
+    int shared = 0, edges = 0, different = 0;
+    for (int y = std::max(0, dy); y + 1 < size + std::min(0, dy); ++y) {
+      for (int x = std::max(0, dx); x + 1 < size + std::min(0, dx); ++x) {
+        ++shared;
+        edges += std::abs(old(x, y) - old(x + 1, y)) > 0.01 ||
+                 std::abs(old(x, y) - old(x, y + 1)) > 0.01;
+        // On a slope depth moves with the place, by far less than from texel to texel.
+        different += std::abs(old(x, y) - now(x - dx, y - dy)) > 1e-4;
+      }
+    }
+    EXPECT_GT(shared, size * size / 2);
+    EXPECT_GT(edges, 50);
+    EXPECT_LE(different, edges / 50) << "cascade " << i;
+  }
+  EXPECT_GT(moved, 0);
+}
+
+TEST_F(Cascaded, EveryTechniqueStaysWithinItsBounds) {
+  settings.kernel.radius = 1;
+  const TechniqueCatalogue catalogue = allTechniques();
+  for (const Technique* each : catalogue.all()) {
+    for (LightKind kind : {LightKind::Directional, LightKind::Spot}) {
+      SCOPED_TRACE(std::string(each->info().id) + ", " + std::string(nameOf(kind)));
+      const auto scene = avenue();
+      scene->light.kind = kind;
+      scene->light.halfAngle = 50;
+      show(scene, each->info().id);
+      const Image<float> surfaces = renderer->surfaces();
+      int shadowed = 0;
+      for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+          ASSERT_GE(surfaces(x, y, 3), 0.0f) << x << "," << y;  // a NaN is not
+          ASSERT_LE(surfaces(x, y, 3), 1.0f) << x << "," << y;
+          shadowed += surfaces(x, y, 3) < 0.99f;
+        }
+      }
+      EXPECT_GT(shadowed, 100);
+    }
+  }
+}
+
+// What cascades are for: near the camera, shadows are nearer to those of a map as large as maps
+// get.
+TEST_F(Cascaded, SharpenWhatIsNear) {
+  const auto scene = avenue();
+  settings.kernel = {KernelShape::Box, 1};
+  const auto visibilities = [&](const char* id, int size, int count) {
+    settings.map.size = size;
+    settings.map.cascades.count = count;
+    show(scene, id);
+    return renderer->surfaces();
+  };
+  const Image<float> truth = visibilities("hard", MapSettings::largest, 1);
+  const Image<float> one = visibilities("vsm", 256, 1), three = visibilities("vsm", 256, 3);
+  double oneError = 0.0, threeError = 0.0;
+  int near = 0;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const auto point = renderer->surfaceAt(x, y);
+      if (!point || point->cascade != 0 || !point->facesLight) continue;
+      ++near;
+      oneError += std::pow(one(x, y, 3) - truth(x, y, 3), 2);
+      threeError += std::pow(three(x, y, 3) - truth(x, y, 3), 2);
+    }
+  }
+  EXPECT_GT(near, 5000);
+  EXPECT_LT(threeError, oneError);
+  RecordProperty("rms_one", std::to_string(std::sqrt(oneError / near)));
+  RecordProperty("rms_three", std::to_string(std::sqrt(threeError / near)));
+}
+
+TEST_F(Cascaded, RedoOnlyWhatChanged) {
+  const auto scene = avenue();
+  show(scene, "vsm");
+  EXPECT_EQ(passes(), "depth encode prefilter shade view");
+  settings.view = ViewMode::Cascades;
+  showAgain();
+  EXPECT_EQ(passes(), "shade view");
+  settings.map.cascades.seam = 0.0;  // the later windows begin later
+  showAgain();
+  EXPECT_EQ(passes(), "depth encode prefilter shade view");
+
+  settings.map.cascades.frozen = scene->camera;
+  showAgain();
+  EXPECT_EQ(passes(), "shade view") << "frozen where the camera is";
+  Camera camera = scene->camera;
+  camera.position += Vector3d(8, 5, 3);
+  renderer->setCamera(camera);
+  renderer->render();
+  EXPECT_EQ(passes(), "shade view") << "frozen windows stay";
+  settings.map.cascades.frozen.reset();
+  showAgain();
+  EXPECT_EQ(passes(), "depth encode prefilter shade view");
+}
+
+// The colour of a picture's pixel, without its brightness.
+Vector3d hue(const Image<std::uint8_t>& colour, int x, int y) {
+  return Vector3d(colour(x, y, 0), colour(x, y, 1), colour(x, y, 2)).normalized();
+}
+
+TEST_F(Cascaded, TheViewTintsEachInItsColour) {
+  settings.view = ViewMode::Cascades;
+  show(avenue(), "vsm");
+  const Image<std::uint8_t> colour = renderer->colour();
+  int seen[3] = {}, mixed = 0;
+  for (int y = 0; y < height; y += 2) {
+    for (int x = 0; x < width; x += 2) {
+      const auto point = renderer->surfaceAt(x, y);
+      if (!point || point->u < 0 || point->u > 1 || point->v < 0 || point->v > 1) continue;
+      Vector3d expected = Vector3d::Zero();
+      for (std::size_t c = 0; c < 3; ++c) {
+        expected[int(c)] = cascadeColours[std::size_t(point->cascade)][c];
+        if (point->nextCascade > 0.0)
+          expected[int(c)] = std::lerp(expected[int(c)],
+                                       double(cascadeColours[std::size_t(point->cascade) + 1][c]),
+                                       point->nextCascade);
+      }
+      // Eight bits a component, the largest of which is above a hundred.
+      ASSERT_LT((hue(colour, x, y) - expected.normalized()).norm(), 0.02) << x << "," << y;
+      ++seen[point->cascade];
+      mixed += point->nextCascade > 0.2 && point->nextCascade < 0.8;
+    }
+  }
+  for (int count : seen) EXPECT_GT(count, 100);
+  EXPECT_GT(mixed, 20);
+}
+
+TEST_F(Cascaded, AFrozenViewIsDrawnAndCastsNoShadow) {
+  const auto scene = avenue();
+  Camera above = scene->camera;
+  above.position = {30, 35, 40};
+  above.target = {0, 0, 0};
+  const Camera walker = scene->camera;
+  scene->camera = above;
+  settings.map.cascades.frozen = walker;
+  show(scene, "vsm");
+  const Image<float> surfaces = renderer->surfaces();
+  const Image<std::uint8_t> colour = renderer->colour();
+  // Somewhere along an edge of the first part's far end, before whatever stands behind it.
+  const Cascade& first = renderer->cascades()[0];
+  const auto corners =
+      viewCorners(walker, double(width) / height, first.nearDistance, first.farDistance);
+  int drawn = 0, tried = 0;
+  for (double t = 0.1; t < 0.95; t += 0.1) {
+    const Vector3d onEdge = corners[7] + t * (corners[6] - corners[7]);  // the upper one
+    const Eigen::Vector2i pixel = pixelOf(above, onEdge);
+    if (pixel.x() < 1 || pixel.y() < 1 || pixel.x() >= width - 1 || pixel.y() >= height - 1)
+      continue;
+    ++tried;
+    const Vector3d line(cascadeColours[0][0], cascadeColours[0][1], cascadeColours[0][2]);
+    bool found = false;
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx)
+        found |= (hue(colour, pixel.x() + dx, pixel.y() + dy) - line.normalized()).norm() < 0.03;
+    drawn += found;
+  }
+  EXPECT_GT(tried, 4);
+  EXPECT_EQ(drawn, tried);
+  // The lines belong to nobody's surface, and the maps know nothing of them.
+  std::vector<DepthMap> maps;
+  for (int i = 0; i < 3; ++i) maps.push_back(renderer->depthMap(i));
+  settings.map.cascades.frozen.reset();
+  renderer->setCamera(walker);
+  showAgain();
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(renderer->depthMap(i), maps[std::size_t(i)]);
+  settings.map.cascades.frozen = walker;
+  renderer->setCamera(above);
+  showAgain();
+  EXPECT_EQ(renderer->surfaces(), surfaces);
+}
+
+}  // namespace
+}  // namespace umbra
