@@ -96,6 +96,8 @@ std::size_t textureBytes(const FrameSettings& settings, const Technique& techniq
   if (prefilterable && readsLevels(filter))
     for (int i = mipLevels(settings.map.size, settings.map.size) - 1; i >= 0; --i)
       bytes += encoded << (2 * i);
+  if (prefilterable && filter == ReadFilter::SummedArea)
+    bytes += SummedAreaTable::bytes(texelBytes(StorageFormat::Float, channels), settings.map.size);
   return bytes * settings.map.cascades.count;
 }
 
@@ -132,7 +134,7 @@ void ChannelBaker::encode(Technique& technique, StorageFormat format) {
   layout_ = technique.channels();
   format_ = format;
   prefilterable_ = technique.info().prefilterable;
-  filtered_ = levelled_ = false;
+  filtered_ = levelled_ = summed_ = false;
   encoded_.require(textureFormat(format, layout_.size()), depth_.width(), depth_.height(),
                    cascades_ * channelLayers());
   const std::string name = "encode of " + std::string(technique.info().id);
@@ -163,7 +165,7 @@ std::string ChannelBaker::reductionSource(const gl::Texture& target) const {
 }
 
 void ChannelBaker::prefilter(const Kernel& kernel) {
-  levelled_ = false;
+  levelled_ = summed_ = false;
   filtered_ = prefilterable_ && kernel.effectiveRadius() > 0;
   if (!filtered_) return;
   const int width = encoded_.width(), height = encoded_.height(), layers = encoded_.layers();
@@ -191,6 +193,16 @@ void ChannelBaker::buildLevels() {
     finish();
   }
   levelled_ = true;
+}
+
+void ChannelBaker::buildSums(SatPrecision precision) {
+  std::vector<ChannelRange> ranges;
+  for (const Channel& channel : layout_)  // a normalised format's texels are fractions already
+    ranges.push_back(isNormalised(format_) ? ChannelRange()
+                                           : rangeOf(channel, StorageFormat::Unorm16));
+  sums_.build(channelMap(), precision, ranges);
+  sumPrecision_ = precision;
+  summed_ = true;
 }
 
 void ChannelBaker::reduceAlong(int x, int y, const gl::Texture& source, const gl::Texture& target,
@@ -257,7 +269,7 @@ void ChannelBaker::upload(BakeStage which, const Image<float>& channels, int cas
       for (int x = 0; x < width; ++x)
         layer[(std::size_t(y) * width + x) * 4] = (channels(x, y, int(c)) - range.low) / range.span;
   }
-  levelled_ = false;
+  levelled_ = summed_ = false;
   if (which == BakeStage::Prefiltered) {
     reduced_.require(encoded_.format(), width, height, encoded_.layers());
     filtered_ = true;
@@ -275,14 +287,15 @@ std::vector<float> ChannelBaker::evaluate(const gl::Texture& surfaces,
   const std::string name = "visibility of " + std::string(technique.info().id);
   const GLuint program =
       programs_.compute(name, computeSource(technique, reads, Evaluate_comp_glsl));
-  setTechniqueUniforms(program, technique, format_);
+  setTechniqueUniforms(program, technique, readFormat(format_, reads));
   setReadUniforms(program, reads);
   const std::pair<const char*, GLuint> textures[] = {
       {"umbraDepthMap", depth_.name()},
       {"umbraChannelMap", channelMap().name()},
       {"umbraReads", surfaces.name()},
       {"umbraMipMap", levelled_ ? levels_.name() : 0},
-      {"umbraFootprints", footprints ? footprints->name() : 0}};
+      {"umbraFootprints", footprints ? footprints->name() : 0},
+      {"umbraSat", summed_ ? sums_.texture().name() : 0}};
   for (int unit = 0; unit < int(std::size(textures)); ++unit) {
     gl::setUniform(program, textures[unit].first, unit);
     glBindTextureUnit(GLuint(unit), textures[unit].second);
@@ -298,7 +311,8 @@ void ChannelBaker::releaseGraphicsResources() {
   programs_.clear();
   for (gl::Texture* texture : {&depth_, &encoded_, &half_, &reduced_, &levels_})
     *texture = gl::Texture();
-  filtered_ = levelled_ = false;
+  sums_.releaseGraphicsResources();
+  filtered_ = levelled_ = summed_ = false;
 }
 
 }  // namespace umbra

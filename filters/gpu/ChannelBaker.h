@@ -6,6 +6,7 @@
 #include "filters/core/FrameSettings.h"
 #include "filters/core/Technique.h"
 #include "filters/gpu/BakeStage.h"
+#include "filters/gpu/SummedAreaTable.h"
 #include "filters/gpu/TechniqueShader.h"
 #include "filters/gpu/gl/Program.h"
 #include "filters/gpu/gl/Texture.h"
@@ -14,8 +15,8 @@ namespace umbra {
 
 // Bytes of the textures that a square map of these settings takes on the GPU: the depth, the
 // encoded channels and, where there is something to prefilter, the reduced ones and those between
-// its two axes; mip levels where the filter reads them. More channels than two fill whole layers of
-// four.
+// its two axes; mip levels or a summed-area table where the filter reads them. More channels than
+// two fill whole layers of four.
 std::size_t textureBytes(const FrameSettings& settings, const Technique& technique);
 
 // Every call needs a current context (4.5 core) and leaves no program bound. Textures are as large
@@ -43,11 +44,20 @@ class ChannelBaker {
   // Whether they are not built yet; a technique that reads raw texels has none.
   bool needsLevels() const { return prefilterable_ && !levelled_; }
 
+  // The summed-area table of what `prefilter` left.
+  void buildSums(SatPrecision precision);
+  // As needsLevels(), of such a table.
+  bool needsSums(SatPrecision precision) const {
+    return prefilterable_ && !(summed_ && sumPrecision_ == precision);
+  }
+
   // What the shaded frame reads. Layer: cascade * layersFor(channels) + layer of the channels.
   const gl::Texture& channelMap() const { return stage(BakeStage::Prefiltered); }
   // Mip levels 1 and on: with P the next power of two of the map's longer side, mip level L has
   // P >> L texels a side. Nothing before they are built.
   const gl::Texture& levelMap() const { return levels_; }
+  // As SummedAreaTable lays it out. Nothing before it is built.
+  const gl::Texture& sumMap() const { return sums_.texture(); }
   // Interleaved channels as values, not as stored fractions.
   Image<float> read(BakeStage stage, int cascade = 0) const;
   Image<float> readLevel(int level, int cascade = 0) const;  // 1 and on
@@ -74,12 +84,15 @@ class ChannelBaker {
 
   gl::ProgramCache programs_;
   gl::Texture depth_, encoded_, half_, reduced_, levels_;
+  SummedAreaTable sums_;
   int cascades_ = 1, samples_ = 1;
   std::vector<Channel> layout_;
   StorageFormat format_ = StorageFormat::Float;
   bool prefilterable_ = true;  // of the technique last encoded
   bool filtered_ = false;      // whether reduced_ holds the prefiltered channels
   bool levelled_ = false;      // whether levels_ holds their mip levels
+  bool summed_ = false;        // whether sums_ holds their sums, in
+  SatPrecision sumPrecision_ = SatPrecision::Centred;
 };
 
 }  // namespace umbra

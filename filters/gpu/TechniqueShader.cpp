@@ -6,7 +6,9 @@
 #include "ReadLevels_glsl.h"
 #include "ReadPixel_glsl.h"
 #include "ReadTexels_glsl.h"
+#include "SatRead_glsl.h"
 #include "ShadowMapRead_glsl.h"
+#include "filters/gpu/SummedAreaTable.h"
 
 namespace umbra {
 namespace {
@@ -54,6 +56,11 @@ int filterNumber(ReadFilter filter) {
   return 0;
 }
 
+const char* filterSource(ReadFilter filter) {
+  if (readsLevels(filter)) return ReadLevels_glsl;
+  return filter == ReadFilter::SummedArea ? SatRead_glsl : ReadTexels_glsl;
+}
+
 // The weights of all taps up to each distance from the centre: radius + 1 floats, the last 1.
 std::vector<float> windowWeights(const Kernel& kernel) {
   const std::vector<double> weights = kernel.weights();
@@ -82,6 +89,12 @@ bool readsLevels(ReadFilter filter) {
   return filter == ReadFilter::Trilinear || filter == ReadFilter::Anisotropic;
 }
 
+StorageFormat readFormat(StorageFormat stored, const MapReads& reads) {
+  const bool fractions =
+      reads.filter == ReadFilter::SummedArea && reads.satPrecision == SatPrecision::Integer;
+  return fractions ? StorageFormat::Unorm16 : stored;
+}
+
 std::string techniqueSource(const Technique& technique, const MapReads& reads) {
   const auto define = [](const char* name, std::size_t value) {
     return std::string("#define UMBRA_") + name + " " + std::to_string(value) + "\n";
@@ -89,9 +102,9 @@ std::string techniqueSource(const Technique& technique, const MapReads& reads) {
   return define("CHANNELS", technique.channels().size()) +
          define("PREFILTERED", technique.info().prefilterable) +
          define("FILTER", filterNumber(reads.filter)) + define("SAMPLES", reads.samples) +
-         define("CASCADES", reads.cascades) + ShadowMapRead_glsl +
-         (readsLevels(reads.filter) ? ReadLevels_glsl : ReadTexels_glsl) + ReadPixel_glsl + "\n" +
-         std::string(technique.glsl()) + "\n";
+         define("CASCADES", reads.cascades) +
+         define("SAT_PRECISION", satPrecisionNumber(reads.satPrecision)) + ShadowMapRead_glsl +
+         filterSource(reads.filter) + ReadPixel_glsl + "\n" + std::string(technique.glsl()) + "\n";
 }
 
 std::string computeSource(const Technique& technique, const MapReads& reads,

@@ -25,8 +25,9 @@ ChannelRange rangeOf(const Channel& channel, StorageFormat format);
 struct MapReads {
   Kernel kernel;
   ReadFilter filter = ReadFilter::Bilinear;
-  int samples = 1;   // depths a texel
-  int cascades = 1;  // maps
+  int samples = 1;                                    // depths a texel
+  int cascades = 1;                                   // maps
+  SatPrecision satPrecision = SatPrecision::Centred;  // of the table, where one is read
   // Left, top and side of each cascade's window in the whole light's (u, v).
   std::array<Eigen::Vector3f, CascadeSettings::largestCount> windows{};
 
@@ -38,15 +39,19 @@ struct MapReads {
 
 // Whether reads of this filter need mip levels.
 bool readsLevels(ReadFilter filter);
+// The format whose stored values a read gives: a table of integers holds 16-bit fractions of each
+// channel's range, whatever it was made from.
+StorageFormat readFormat(StorageFormat stored, const MapReads& reads);
 
 // What ShadowMapRead.glsl asks for, that text, the filter's, and the technique's; no #version and
-// no main. Its samplers are umbraDepthMap, umbraChannelMap and, with mip levels, umbraMipMap.
+// no main. Its samplers are umbraDepthMap, umbraChannelMap and, with mip levels, umbraMipMap, with
+// a table umbraSat.
 std::string techniqueSource(const Technique& technique, const MapReads& reads);
 // The same as a whole compute shader, around `body` with its main.
 std::string computeSource(const Technique& technique, const MapReads& reads,
                           const std::string& body);
 
-// Parameters, derived uniforms and channel ranges. Does not bind the program.
+// Parameters, derived uniforms and the channel ranges of what is read. Does not bind the program.
 void setTechniqueUniforms(GLuint program, Technique& technique, StorageFormat format);
 void setReadUniforms(GLuint program, const MapReads& reads);
 // From the centre outwards: radius + 1 floats.

@@ -144,12 +144,13 @@ void vtkUmbraFramePass::DrawFrame(const vtkRenderState* state) {
     scene.SetPropArrayAndCount(own.data(), int(own.size()));
     this->CullInsides(renderer);
     this->Shading->SetTechnique(this->Adapted.get());
+    const bool summed = this->Settings.read.filter == ReadFilter::SummedArea;
     this->Shading->SetMaps(&this->Baker.depthMap(), &this->Baker.channelMap(),
-                           &this->Baker.levelMap());
+                           summed ? &this->Baker.sumMap() : &this->Baker.levelMap());
     this->Shading->SetReads(this->Reads());
     this->Shading->SetCascades(this->Cascades);
     this->Shading->SetLightFrame(this->Frame);
-    this->Shading->SetSettings(this->Settings);
+    this->Shading->SetSettings(this->SettledSettings());
     {
       const gl::PassTimer::Scope time(this->Timer, "shade");
       this->Shading->Render(&scene);
@@ -174,12 +175,23 @@ const std::vector<Cascade>& vtkUmbraFramePass::FitCascades(vtkRenderer* renderer
   return this->Cascades;
 }
 
+// What bears on distances and was left to the scene.
+FrameSettings vtkUmbraFramePass::SettledSettings() const {
+  FrameSettings settled = this->Settings;
+  if (settled.read.satDistance == 0.0) settled.read.satDistance = this->Bounds.diagonal().norm();
+  return settled;
+}
+
 void vtkUmbraFramePass::Bake(const vtkRenderState* state) {
   const std::string reason = whyImpossible(this->Settings, *this->Asked);
   if (!reason.empty()) throw umbra::Error(ErrorKind::WorkFailed, reason);
   this->BakeDepth(state);
-  const bool levels = readsLevels(this->Settings.read.filter);
-  const auto needsMore = [&] { return levels && this->Baker.needsLevels(); };
+  const ReadSettings& read = this->Settings.read;
+  const bool sums = read.filter == ReadFilter::SummedArea;
+  const auto needsMore = [&] {
+    return (readsLevels(read.filter) && this->Baker.needsLevels()) ||
+           (sums && this->Baker.needsSums(read.satPrecision));
+  };
   const int splits = this->Asked->adaptedSplitCount();
   const bool relaxing = splits > 0 && this->Relaxer.due(splits, this->Pace);
   if (this->Stale == Stage::Nothing && !relaxing && !needsMore()) return;
@@ -199,8 +211,8 @@ void vtkUmbraFramePass::Bake(const vtkRenderState* state) {
   }
   this->Stale = Stage::Nothing;
   if (needsMore()) {
-    const gl::PassTimer::Scope time(this->Timer, "levels");
-    this->Baker.buildLevels();
+    const gl::PassTimer::Scope time(this->Timer, sums ? "sums" : "levels");
+    sums ? this->Baker.buildSums(read.satPrecision) : this->Baker.buildLevels();
   }
 }
 
@@ -238,6 +250,8 @@ void vtkUmbraFramePass::BakeDepth(const vtkRenderState* state) {
   const gl::PassTimer::Scope time(this->Timer, "depth");
   this->Drawn.resize(count);
   for (std::size_t i : stale) this->DrawDepth(state, i);
+  // Mesa's software renderer starts compute shaders before what was drawn last is finished.
+  glFlush();
   this->MakeStale(Stage::Encode);
 }
 
@@ -348,6 +362,7 @@ MapReads vtkUmbraFramePass::Reads() const {
   reads.filter = this->Settings.read.filter;
   reads.samples = this->Baker.samples();
   reads.cascades = this->Baker.cascades();
+  reads.satPrecision = this->Settings.read.satPrecision;
   for (std::size_t i = 0; i < this->Cascades.size(); ++i) {
     const Cascade& cascade = this->Cascades[i];
     reads.windows[i] = Eigen::Vector3d(cascade.left, cascade.top, cascade.side).cast<float>();

@@ -80,6 +80,7 @@ class vtkUmbraFramePass : public vtkRenderPass {
   void BakeDepth(const vtkRenderState* state);
   void RelaxSplits();
   void DrawDepth(const vtkRenderState* state, std::size_t cascade);
+  FrameSettings SettledSettings() const;
   MapReads Reads() const;  // of the maps as they are baked
   void CullInsides(vtkRenderer* renderer);
   void Show(vtkRenderer* renderer);

@@ -68,10 +68,10 @@ void vtkUmbraShadingPass::PrepareTransforms(vtkRenderer* renderer) {
 }
 
 void vtkUmbraShadingPass::SetMaps(const gl::Texture* depth, const gl::Texture* channels,
-                                  const gl::Texture* levels) {
+                                  const gl::Texture* filtered) {
   this->DepthMap = depth;
   this->ChannelMap = channels;
-  this->LevelMap = levels;
+  this->FilteredMap = filtered;
 }
 
 void vtkUmbraShadingPass::PrepareFramebuffer(vtkRenderer* renderer, int width, int height) {
@@ -140,14 +140,14 @@ void vtkUmbraShadingPass::Render(const vtkRenderState* state) {
   this->ChannelUnit = units->Allocate();
   glBindTextureUnit(GLuint(this->DepthUnit), this->DepthMap->name());
   glBindTextureUnit(GLuint(this->ChannelUnit), this->ChannelMap->name());
-  this->LevelUnit = units->Allocate();
-  glBindTextureUnit(GLuint(this->LevelUnit), this->LevelMap->name());
+  this->FilteredUnit = units->Allocate();
+  glBindTextureUnit(GLuint(this->FilteredUnit), this->FilteredMap->name());
   this->PreRender(state);
   this->NumberOfRenderedProps = 0;
   for (vtkProp* prop : smallestFirst(state))
     this->NumberOfRenderedProps += prop->RenderOpaqueGeometry(renderer);
   this->PostRender(state);
-  units->Free(this->LevelUnit);
+  units->Free(this->FilteredUnit);
   units->Free(this->ChannelUnit);
   units->Free(this->DepthUnit);
   gl->PopFramebufferBindings();
@@ -165,6 +165,10 @@ void vtkUmbraShadingPass::ReleaseGraphicsResources(vtkWindow* window) {
 bool vtkUmbraShadingPass::PreReplaceShaderValues(std::string&, std::string&,
                                                  std::string& fragmentShader, vtkAbstractMapper*,
                                                  vtkProp*) {
+  // Tables of sums are bits, and VTK's shaders are of an older language than has them.
+  vtkShaderProgram::Substitute(
+      fragmentShader, "//VTK::System::Dec",
+      "//VTK::System::Dec\n#extension GL_ARB_shader_bit_encoding : enable\n", false);
   // The mapper then replaces the markers that stay in the text by its own lighting.
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::Light::Dec",
                                this->Declarations + "\n//VTK::Light::Dec\n", false);
@@ -196,7 +200,8 @@ bool vtkUmbraShadingPass::SetShaderParameters(vtkShaderProgram* program, vtkAbst
   const GLuint name = GLuint(program->GetHandle());
   gl::setUniform(name, "umbraDepthMap", this->DepthUnit);
   gl::setUniform(name, "umbraChannelMap", this->ChannelUnit);
-  gl::setUniform(name, "umbraMipMap", this->LevelUnit);
+  gl::setUniform(name, "umbraMipMap", this->FilteredUnit);
+  gl::setUniform(name, "umbraSat", this->FilteredUnit);
   gl::setUniformMatrix4(name, "umbraViewToLight", this->ViewToLight.data());
   gl::setUniform4(name, "umbraToLight", {this->ToLight.data(), 4});
   gl::setUniform(name, "umbraConstantBias", float(this->Settings.bias.constant));
@@ -205,6 +210,8 @@ bool vtkUmbraShadingPass::SetShaderParameters(vtkShaderProgram* program, vtkAbst
   const bool anisotropic = this->Reads.filter == ReadFilter::Anisotropic;
   gl::setUniform(name, "umbraAnisotropy",
                  anisotropic ? float(this->Settings.read.anisotropy) : 1.0f);
+  gl::setUniform(name, "umbraSatSize", int(this->Settings.read.satSize));
+  gl::setUniform(name, "umbraSatDistance", float(this->Settings.read.satDistance));
   std::vector<float> ends, seams;
   for (const Cascade& cascade : this->Cascades) {
     ends.push_back(float(cascade.farDistance));
@@ -213,7 +220,7 @@ bool vtkUmbraShadingPass::SetShaderParameters(vtkShaderProgram* program, vtkAbst
   gl::setUniform(name, "umbraCascadeEnds", ends);
   gl::setUniform(name, "umbraCascadeSeams", seams);
   setLightUniforms(name, this->Frame);
-  setTechniqueUniforms(name, *this->Shaded, this->Settings.map.format);
+  setTechniqueUniforms(name, *this->Shaded, readFormat(this->Settings.map.format, this->Reads));
   setReadUniforms(name, this->Reads);
   return true;
 }

@@ -26,8 +26,8 @@ class vtkUmbraShadingPass : public vtkOpenGLRenderPass {
 
   // All of these must outlive the next Render.
   void SetTechnique(Technique* technique) { this->Shaded = technique; }
-  // `levels` are the channels' mip levels; read only where the filter does.
-  void SetMaps(const gl::Texture* depth, const gl::Texture* channels, const gl::Texture* levels);
+  // `filtered` are the channels' mip levels or summed-area table; read only where the filter does.
+  void SetMaps(const gl::Texture* depth, const gl::Texture* channels, const gl::Texture* filtered);
   void SetReads(const MapReads& reads) { this->Reads = reads; }
   // As many as the reads have; their seams are the settings'.
   void SetCascades(const std::vector<Cascade>& cascades) { this->Cascades = cascades; }
@@ -72,14 +72,14 @@ class vtkUmbraShadingPass : public vtkOpenGLRenderPass {
   vtkTimeStamp TextTime;
   const gl::Texture* DepthMap = nullptr;
   const gl::Texture* ChannelMap = nullptr;
-  const gl::Texture* LevelMap = nullptr;
+  const gl::Texture* FilteredMap = nullptr;
   LightFrame Frame;
   FrameSettings Settings;
   MapReads Reads;
   std::vector<Cascade> Cascades;
   Eigen::Matrix4f ViewToLight = Eigen::Matrix4f::Identity();
   Eigen::Vector4f ToLight = Eigen::Vector4f::UnitZ();  // as ShadeDeclarations.glsl has it
-  int DepthUnit = 0, ChannelUnit = 1, LevelUnit = 2;
+  int DepthUnit = 0, ChannelUnit = 1, FilteredUnit = 2;
 
   gl::Texture Colour, Surfaces, Footprints, Depth;
   gl::FramebufferHandle Framebuffer;

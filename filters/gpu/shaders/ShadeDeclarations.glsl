@@ -74,8 +74,26 @@ vec3 umbraFootprintOf(vec2 dx, vec2 dy) {
   return vec3(axis, probes);
 }
 
+#if UMBRA_FILTER == 3
+uniform int umbraSatSize;  // of the box: 0 footprint, 1 distance, 2 fixed
+uniform float umbraSatDistance;  // within which it grows, world units
+const float umbraLargestBox = 255.0;
+
+// Width and height, in texels, of the box for a pixel whose position on the map moves by `dx` and
+// `dy` to the next pixels, at `distance` from the camera: never narrower than the kernel.
+vec2 umbraBoxOf(vec2 dx, vec2 dy, float distance) {
+  float kernel = float(2 * umbraRadius + 1);
+  vec2 box = vec2(kernel);
+  if (umbraSatSize == 0) box = max(abs(dx) + abs(dy), kernel);
+  if (umbraSatSize == 1) box = vec2(kernel * max(umbraSatDistance / distance, 1.0));
+  // Written so that what is no number, at the edge of a spot light's view, ends at the limit too.
+  return vec2(box.x < umbraLargestBox ? box.x : umbraLargestBox,
+              box.y < umbraLargestBox ? box.y : umbraLargestBox);
+}
+#endif
+
 // From the read's position to the farthest centre of the texels that it averages along either axis.
-vec2 umbraReach(vec3 footprint) {
+vec2 umbraReachOf(vec3 footprint) {
   float kernel = float(umbraRadius);
 #if UMBRA_FILTER == 0
   return vec2(kernel + 0.5);
@@ -83,9 +101,9 @@ vec2 umbraReach(vec3 footprint) {
   return vec2(kernel + 1.0);
 #elif UMBRA_FILTER == 2
   // One and a half texels of the coarser level, about the outermost probes.
-  float side = 1.0;
-  for (float covered = length(footprint.xy) / footprint.z; side < covered; side *= 2.0) {
-  }
+  float next;
+  int level = umbraLevelOf(footprint, next);
+  float side = float(1 << (next > 0.0 ? level + 1 : level));
   vec2 probes = abs(footprint.xy) * (0.5 - 0.5 / footprint.z);
   return kernel + 1.5 * side - 0.5 + probes;
 #else
@@ -122,9 +140,11 @@ vec4 umbraShade(vec3 position, vec3 shadingNormal, out vec4 footprint) {
 #endif
 #if UMBRA_FILTER == 2
   footprint.xyz = umbraFootprintOf(dx / side, dy / side);
+#elif UMBRA_FILTER == 3
+  footprint.xy = umbraBoxOf(dx / side, dy / side, length(position));
 #endif
   // In a seam the receiver is one for both cascades, with the bias of the coarser.
-  vec2 reach = umbraReach(vec3(footprint.xy * side / coarsest, footprint.z));
+  vec2 reach = umbraReachOf(vec3(footprint.xy * side / coarsest, footprint.z));
   float slopeBias = dot(umbraSlopeTexels + umbraReceiverPlane * reach, coarsest * gain);
   // Written so that a NaN from an exactly edge-on plane ends at the limit too.
   float bias = umbraConstantBias + (slopeBias < umbraLargestBias ? slopeBias : umbraLargestBias);
