@@ -50,7 +50,8 @@ int texelAt(double u, int size) {
 Region emptyRegion(const DepthMap& map, const Kernel& kernel, double u, double v) {
   const int x = std::clamp(int(std::floor(u * map.width())), 0, map.width() - 1);
   const int y = std::clamp(int(std::floor(v * map.height())), 0, map.height() - 1);
-  return {x, y, kernel, {}, map(x, y), map.channels()};
+  const int reach = kernel.effectiveRadius();
+  return {x, y, kernel, {}, map(x, y), map.channels(), reach, reach};
 }
 
 // Weights along one axis, from texel `first` on, all inside the map.
@@ -133,6 +134,8 @@ AxisWeights boxWeights(double middle, double width, int size) {
 Region regionOfBox(const DepthMap& map, const Kernel& kernel, const ReadPoint& read) {
   const double width = std::max(read.footprint.x, 1.0), height = std::max(read.footprint.y, 1.0);
   Region region = emptyRegion(map, kernel, read.u, read.v);
+  region.reachX = int(0.5 * (width - 1.0));
+  region.reachY = int(0.5 * (height - 1.0));
   addRectangles(region, map,
                 {{boxWeights(read.u * map.width(), width, map.width()),
                   boxWeights(read.v * map.height(), height, map.height())}});
@@ -146,10 +149,10 @@ Region regionAtTexel(const DepthMap& map, const Kernel& kernel, int x, int y) {
     throw Error(ErrorKind::BadCommandLine, "texel " + std::to_string(x) + "," + std::to_string(y) +
                                                " is outside the " + std::to_string(map.width()) +
                                                "x" + std::to_string(map.height()) + " map");
-  Region region{x, y, kernel, {}, map(x, y), map.channels()};
+  const int r = kernel.effectiveRadius();
+  Region region{x, y, kernel, {}, map(x, y), map.channels(), r, r};
   const std::vector<double> weights = kernel.weights();
-  addTaps(region, map, x - kernel.effectiveRadius(), y - kernel.effectiveRadius(), weights,
-          weights);
+  addTaps(region, map, x - r, y - r, weights, weights);
   return region;
 }
 

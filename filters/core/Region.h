@@ -43,6 +43,9 @@ struct Region {
   double nearestDepth = 1.0;  // the depth at (x, y), of its first sample
   // Taps of one texel stand together, this many: one for each sample, of equal weight.
   int samples = 1;
+  // Texels on either side of (x, y) that are among the taps wherever between texels the read is,
+  // but for the map's end: the kernel's radius, or that of a summed-area table's box.
+  int reachX = 0, reachY = 0;
 };
 
 // The (2r+1)² taps around texel (x, y): what a point read of the prefiltered map averages.

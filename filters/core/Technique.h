@@ -66,6 +66,10 @@ struct Uniform {
 // Its host defines UMBRA_CHANNELS before it and, for techniques that are not prefilterable,
 //   float umbraNearestDepth();
 //   float umbraPercentageCloser(float receiver);
+//   ivec2 umbraNearestTexel();               the texel that holds the read's position
+//   float umbraCloser(ivec2 texel, float receiver);  part of its samples at or behind the receiver
+//   ivec2 umbraReach();                      Region::reachX, reachY
+//   float umbraKernelAt(ivec2 offset);       the kernel's weight of a texel beside the nearest
 class Technique {
  public:
   virtual ~Technique() = default;
@@ -96,7 +100,7 @@ class Technique {
 
   // The numeric chain that ends in visibility(), and the step that goes wrong, if any does: the
   // last step's value is exactly what visibility() returns.
-  virtual Trace explain(const Fetch&, double) const { return {}; }
+  virtual Trace explain(const Fetch& fetch, double receiver) const = 0;
 
   virtual std::string_view glsl() const = 0;
   // Uniforms beyond one for each parameter, which the host sets by itself: parameter `a-b` is

@@ -203,6 +203,11 @@ TEST_F(Frame, ABrokenShaderIsAnErrorThatNamesTheTechnique) {
     std::vector<Channel> channels() const override { return {{"z"}}; }
     void encode(double z, std::span<double> channels) const override { channels[0] = z; }
     double visibility(const Fetch&, double) const override { return 1.0; }
+    Trace explain(const Fetch&, double) const override {
+      Trace trace;
+      trace.steps = {{"v", "always lit", "", 1.0}};
+      return trace;
+    }
     std::string_view glsl() const override { return "void umbraEncode("; }
     std::string_view page() const override { return ""; }
   };

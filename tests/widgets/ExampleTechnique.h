@@ -48,6 +48,13 @@ class ExampleTechnique final : public TechniqueWith<ExampleTechnique, ExamplePar
   double visibility(const Fetch& fetch, double receiver) const override {
     return fetch.channels[0] >= receiver ? 1.0 : 0.0;
   }
+  Trace explain(const Fetch& fetch, double receiver) const override {
+    Trace trace;
+    const TraceRecorder record(trace);
+    record("M1", "mean of the region", "", fetch.channels[0]);
+    record("v", "visibility", "1 for M1 ≥ z_r, else 0", visibility(fetch, receiver));
+    return trace;
+  }
   std::string_view glsl() const override { return ""; }
   std::string_view page() const override { return ""; }
 

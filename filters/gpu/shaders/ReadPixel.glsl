@@ -3,6 +3,27 @@
 
 float umbraVisibility(float channels[UMBRA_CHANNELS], float receiver);  // the technique's
 
+// Texels on either side of the nearest that the read averages wherever between texels it is.
+ivec2 umbraReach() {
+#if UMBRA_FILTER == 3
+  return ivec2(0.5 * (max(umbraFootprint.xy, vec2(1.0)) - 1.0));
+#else
+  return ivec2(umbraRadius);
+#endif
+}
+
+// The kernel's weight of a texel beside the nearest, within its radius.
+float umbraKernelAt(ivec2 offset) {
+#if UMBRA_FILTER == 3
+  return 1.0;  // a box
+#elif UMBRA_FILTER == 2
+  return (umbraCumulative(offset.x) - umbraCumulative(offset.x - 1)) *
+         (umbraCumulative(offset.y) - umbraCumulative(offset.y - 1));
+#else
+  return umbraKernelWeight(offset.x) * umbraKernelWeight(offset.y);
+#endif
+}
+
 void umbraReadChannels(out float channels[UMBRA_CHANNELS]) {
   for (int layer = 0; layer < UMBRA_LAYERS; ++layer) {
     vec4 four = umbraReadFour(layer);
@@ -42,14 +63,17 @@ float umbraVisibilityOfRead(float receiver) {
 // (x, y, probes, cascade + weight of the next cascade). Two cascades' visibilities are mixed, not
 // their channels.
 float umbraVisibilityAt(vec4 surface, vec4 footprint) {
-  umbraSetRead(surface.xy, footprint, int(footprint.w));
-  float visibility = umbraVisibilityOfRead(abs(surface.z));
 #if UMBRA_CASCADES > 1
-  float next = fract(footprint.w);
-  if (next > 0.0) {
-    umbraSetRead(surface.xy, footprint, int(footprint.w) + 1);
-    visibility = mix(visibility, umbraVisibilityOfRead(abs(surface.z)), next);
+  float visibility = 0.0, next = fract(footprint.w);
+  // A loop, because a software renderer runs both sides of a branch for every pixel but ends a loop
+  // with the last that goes on.
+  for (int part = 0; part < (next > 0.0 ? 2 : 1); ++part) {
+    umbraSetRead(surface.xy, footprint, int(footprint.w) + part);
+    visibility += umbraVisibilityOfRead(abs(surface.z)) * (part == 0 ? 1.0 - next : next);
   }
+#else
+  umbraSetRead(surface.xy, footprint, 0);
+  float visibility = umbraVisibilityOfRead(abs(surface.z));
 #endif
   return visibility;
 }

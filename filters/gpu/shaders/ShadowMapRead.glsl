@@ -34,8 +34,12 @@ float umbraSampleDepth(ivec2 texel, int number) {
   return texelFetch(umbraDepthMap, ivec3(inside, umbraCascade * UMBRA_SAMPLES + number), 0).r;
 }
 
+ivec2 umbraNearestTexel() {
+  return clamp(ivec2(floor(umbraPosition)), ivec2(0), umbraMapSize() - 1);
+}
+
 // Of the first sample.
-float umbraNearestDepth() { return umbraSampleDepth(ivec2(floor(umbraPosition)), 0); }
+float umbraNearestDepth() { return umbraSampleDepth(umbraNearestTexel(), 0); }
 
 // The part of a texel's samples that do not block. Equality is lit.
 float umbraCloser(ivec2 texel, float receiver) {
