@@ -51,14 +51,25 @@ SceneProbe probeScene(HeadlessFrame& frame, const Session& session,
     surfaces.push_back(surfaceOf(frame, session, pixel));
   }
   const SurfacePoint& surface = surfaces.front();
-  const DepthMap& map = frame.depthMap();
-  ProbeRequest request{.map = map,
-                       .read = {session.frame.read.filter, surface.u, surface.v, {}},
-                       .kernel = session.frame.kernel,
-                       .format = session.frame.map.format,
-                       .receiver = session.receiver.value_or(surface.receiver)};
+  const FrameSettings& settings = session.frame;
+  ProbeRequest request{.map = frame.depthMap(surface.cascade),
+                       .read = {settings.read.filter, surface.u, surface.v, surface.footprint},
+                       .kernel = settings.kernel,
+                       .format = settings.map.format,
+                       .receiver = session.receiver.value_or(surface.receiver),
+                       .cascade = surface.cascade,
+                       .satPrecision = settings.read.satPrecision};
+  if (surface.nextCascade > 0.0) {
+    const std::vector<Cascade>& cascades = frame.cascades();
+    const int next = surface.cascade + 1;
+    request.seam.emplace(SeamPart{
+        frame.depthMap(next),
+        readInCascade(request.read, cascades[surface.cascade], cascades[next], settings.kernel),
+        surface.nextCascade});
+  }
+  const DepthMap& first = frame.depthMap(0);
   for (const auto& technique : techniques) {
-    technique->adapt(map);
+    technique->adapt(first);
     request.techniques.push_back(technique);
   }
   SceneProbe result{takeProbe(request), pixel, surface};
@@ -90,12 +101,19 @@ Pixel worstBleeding(HeadlessFrame& frame, const Technique& technique) {
 }
 
 Json sceneProbeToJson(const SceneProbe& probe, const DepthMap& map, const std::string& name,
-                      int bins, int samples) {
+                      ReadFilter filter, int bins, int samples) {
   Json object = probeToJson(probe.probe, map, {name, bins, samples});
   const SurfacePoint& surface = probe.surface;
   object["pixel"] = {probe.pixel.x, probe.pixel.y};
   object["world"] = {surface.world.x(), surface.world.y(), surface.world.z()};
   object["uv"] = {surface.u, surface.v};
+  object["cascade"] = surface.cascade;
+  if (surface.nextCascade > 0.0) object["nextCascade"] = surface.nextCascade;
+  object["filter"] = nameOf(filter);
+  if (filter != ReadFilter::Point && filter != ReadFilter::Bilinear)
+    object["footprint"] = {{"x", surface.footprint.x},
+                           {"y", surface.footprint.y},
+                           {"probes", surface.footprint.probes}};
   return object;
 }
 

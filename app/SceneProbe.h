@@ -31,8 +31,10 @@ std::shared_ptr<Technique> suspectOf(const std::vector<std::shared_ptr<Technique
 // Throws WorkFailed where no pixel of the frame is lit by the light's map.
 Pixel worstBleeding(HeadlessFrame& frame, const Technique& technique);
 
-// The fields of probeToJson with "pixel", "world" and "uv".
+// The fields of probeToJson with "pixel", "world" and "uv", which is on the map of "cascade";
+// "nextCascade" is the next one's weight, in a seam only. "filter" is the frame's, "footprint" in
+// texels, for filters that have one. `map` is of any cascade: all are as large.
 Json sceneProbeToJson(const SceneProbe& probe, const DepthMap& map, const std::string& name,
-                      int bins, int samples);
+                      ReadFilter filter, int bins, int samples);
 
 }  // namespace umbra

@@ -2,28 +2,43 @@
 
 #include <spdlog/spdlog.h>
 
+#include "filters/core/Composition.h"
 #include "filters/core/Error.h"
 
 namespace umbra {
+namespace {
+
+// The reason as an error of the option that set what cannot be.
+[[noreturn]] void refuse(const FrameSettings& frame, const Technique& technique,
+                         const std::string& reason) {
+  const bool format = !technique.refusal(frame.map.format).empty();
+  throw Error(
+      ErrorKind::BadCommandLine,
+      (format ? "--format " + std::string(nameOf(frame.map.format)) + ": " : "--") + reason);
+}
+
+}  // namespace
 
 std::vector<std::shared_ptr<Technique>> makeTechniques(const Session& session,
                                                        const TechniqueCatalogue& catalogue,
                                                        const TechniqueChoice& choice) {
-  const StorageFormat format = session.frame.map.format;
   std::vector<std::shared_ptr<Technique>> techniques;
+  std::vector<std::string> leftOut;
+  std::shared_ptr<Technique> last;  // that was left out
   for (const std::string& id : choice.ids) {
     std::vector<std::string> notices;
     std::shared_ptr<Technique> technique = techniqueOf(session, catalogue, id, &notices);
-    if (const std::string refusal = technique->refusal(format); !refusal.empty()) {
-      if (!choice.all)
-        throw Error(ErrorKind::BadCommandLine,
-                    "--format " + std::string(nameOf(format)) + ": " + refusal);
-      spdlog::warn("left out: {}", refusal);
+    if (const std::string reason = whyImpossible(session.frame, *technique); !reason.empty()) {
+      if (!choice.all) refuse(session.frame, *technique, reason);
+      leftOut.push_back(reason);
+      last = std::move(technique);
       continue;
     }
     for (const std::string& notice : notices) spdlog::warn("{}: {}", id, notice);
     techniques.push_back(std::move(technique));
   }
+  if (techniques.empty() && last) refuse(session.frame, *last, leftOut.back());
+  for (const std::string& reason : leftOut) spdlog::warn("left out: {}", reason);
   return techniques;
 }
 

@@ -10,9 +10,9 @@
 
 namespace umbra {
 
-// One technique per id; says in the log what the storage format limited. One that cannot be stored
-// in the session's format is left out of all of them, with a line in the log that says why; where
-// it was named it is an error (BadCommandLine).
+// One technique per id; says in the log what the storage format limited. One that the session's
+// format, kernel or read cannot be composed with is left out of all of them, with a line in the log
+// that says why; where it was named, or none is left, it is an error (BadCommandLine).
 std::vector<std::shared_ptr<Technique>> makeTechniques(const Session& session,
                                                        const TechniqueCatalogue& catalogue,
                                                        const TechniqueChoice& choice);

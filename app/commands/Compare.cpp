@@ -79,6 +79,7 @@ void CompareCommand::compareMap(Session session) const {
   }
   const std::vector<std::shared_ptr<const Technique>> adapted(chosen.begin(), chosen.end());
   const Kernel& kernel = session.frame.kernel;
+  session.frame.read.filter = ReadFilter::Point;  // of every texel
   const StorageFormat format = session.frame.map.format;
   const auto metrics =
       compareOnMap(map, adapted, kernel, format, *session.receiver, throwIfCancelled);

@@ -19,7 +19,7 @@ struct EncodeCommand {
   explicit EncodeCommand(CLI::App& command);
 
   void run() const;
-  void encodeDepthMap(const Session& session, ChannelFile& file) const;
+  void encodeDepthMap(Session session, ChannelFile& file) const;
   void encodeScene(const Session& session, ChannelFile& file) const;
 
   SessionOptions options;
@@ -38,7 +38,8 @@ EncodeCommand::EncodeCommand(CLI::App& command) {
       ->group("Encode");
   command.footer(
       "Writes one part with the channels TECHNIQUE.CHANNEL, and Z: the depth itself, in [0,1].\n"
-      "Without --technique it is the session's; hard and pcf store nothing but Z.");
+      "Without --technique it is the session's; hard and pcf store nothing but Z.\n"
+      "Of several cascades it is the first, nearest to the camera; Z is a texel's first sample.");
   options.addTo(command);
 }
 
@@ -77,7 +78,8 @@ void EncodeCommand::run() const {
   announce(*output);
 }
 
-void EncodeCommand::encodeDepthMap(const Session& session, ChannelFile& file) const {
+void EncodeCommand::encodeDepthMap(Session session, ChannelFile& file) const {
+  session.frame.read.filter = ReadFilter::Point;  // nothing is read
   const auto chosen = techniques(session);
   const DepthMap map = loadDepthMap(session.source);
   const StorageFormat format = session.frame.map.format;

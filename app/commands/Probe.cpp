@@ -86,6 +86,7 @@ void ProbeCommand::probeDepthMap(Session session) const {
     throw Error(ErrorKind::BadCommandLine, "--receiver: is missing, give --receiver Z");
   if (!options.namesFormat() && !options.namesSession())
     session.frame.map.format = StorageFormat::Double;
+  session.frame.read.filter = ReadFilter::Point;  // of the texel
   const auto chosen = techniques(session);
   const DepthMap map = loadDepthMap(session.source);
   const auto [x, y] = *session.probe;
@@ -125,8 +126,8 @@ void ProbeCommand::probePixel(const Session& session) const {
   const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
   if (!place) place = worstBleeding(*frame, *suspectOf(chosen));
   const SceneProbe probe = probeScene(*frame, session, chosen, *place);
-  const Json object =
-      sceneProbeToJson(probe, frame->depthMap(), name, binsOf(bins), samplesOf(samples));
+  const Json object = sceneProbeToJson(probe, frame->depthMap(), name, session.frame.read.filter,
+                                       binsOf(bins), samplesOf(samples));
   finish(probe.probe, object, session, display.get());
 }
 

@@ -61,7 +61,7 @@ void TourCommand::run() const {
 
   const SceneProbe probe = probeScene(*frame, session, chosen, worstBleeding(*frame, *suspect));
   const Json json = sceneProbeToJson(probe, frame->depthMap(), shortNameOf(session.source),
-                                     probeBins, probeSamples);
+                                     session.frame.read.filter, probeBins, probeSamples);
   writeProbe(files, *display, probe.probe, json, suspect->info().id, probeBins);
   throwIfCancelled();
   files.finish();

@@ -26,7 +26,8 @@ class HeadlessFrame {
   virtual Image<float> surfaces() = 0;
   virtual std::optional<SurfacePoint> surfaceAt(int x, int y) = 0;
   virtual Image<float> reference() = 0;
-  virtual const DepthMap& depthMap() = 0;
+  virtual const DepthMap& depthMap(int cascade = 0) = 0;
+  virtual const std::vector<Cascade>& cascades() = 0;
   virtual Image<float> channels(BakeStage stage) = 0;
   // Where light bleeds most plainly: the pixel that the window goes to as well. None where no spot
   // of the picture bleeds visibly.

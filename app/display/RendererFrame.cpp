@@ -1,5 +1,7 @@
 #include "app/display/RendererFrame.h"
 
+#include <spdlog/spdlog.h>
+
 #include "analysis/WorstPixel.h"
 #include "filters/gpu/HeadlessWindow.h"
 
@@ -22,6 +24,10 @@ void RendererFrame::render(const Technique& technique, ViewMode view) {
   renderer_.setTechnique(technique);
   renderer_.render();
   messages_->throwFirstError();
+  if (saidSamples_ || renderer_.samples() >= settings_.map.samples) return;
+  spdlog::warn("--msaa: {} depths a texel, the driver has no {}", renderer_.samples(),
+               settings_.map.samples);
+  saidSamples_ = true;
 }
 
 Image<std::uint8_t> RendererFrame::colour() {
@@ -38,10 +44,14 @@ std::optional<SurfacePoint> RendererFrame::surfaceAt(int x, int y) {
   return checked(renderer_.surfaceAt(x, y));
 }
 
-const DepthMap& RendererFrame::depthMap() {
-  const DepthMap& map = renderer_.depthMap();
+const DepthMap& RendererFrame::depthMap(int cascade) {
+  const DepthMap& map = renderer_.depthMap(cascade);
   messages_->throwFirstError();
   return map;
+}
+
+const std::vector<Cascade>& RendererFrame::cascades() {
+  return renderer_.cascades();
 }
 
 Image<float> RendererFrame::channels(BakeStage stage) {

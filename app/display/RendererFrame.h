@@ -20,7 +20,8 @@ class RendererFrame final : public HeadlessFrame {
   Image<float> surfaces() override;
   std::optional<SurfacePoint> surfaceAt(int x, int y) override;
   Image<float> reference() override;
-  const DepthMap& depthMap() override;
+  const DepthMap& depthMap(int cascade = 0) override;
+  const std::vector<Cascade>& cascades() override;
   Image<float> channels(BakeStage stage) override;
   std::optional<Pixel> plainestBleeding() override;
 
@@ -36,6 +37,7 @@ class RendererFrame final : public HeadlessFrame {
   vtkSmartPointer<vtkRenderWindow> window_;
   ShadowRenderer renderer_;
   FrameSettings settings_;
+  bool saidSamples_ = false;  // that the driver gives fewer than were asked for
 };
 
 }  // namespace umbra

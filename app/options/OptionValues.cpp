@@ -98,6 +98,12 @@ void refuseEmpty(std::string_view text, std::string_view option, const std::stri
   if (text.empty()) refuse(option, text, right);
 }
 
+int samplesFrom(std::string_view text, std::string_view option) {
+  for (int samples = 1; samples <= MapSettings::largestSamples; samples *= 2)
+    if (text == std::to_string(samples)) return samples;
+  refuse(option, text, "1, 2, 4 or 8");
+}
+
 bool switchFrom(std::string_view text, std::string_view option) {
   if (text != "on" && text != "off") refuse(option, text, "on or off");
   return text == "on";

@@ -24,6 +24,8 @@ int integerFrom(std::string_view text, std::string_view option, int low, int hig
 double sigmaFrom(std::string_view text, std::string_view option);
 // Throws where the text is empty; `right` is what the option takes.
 void refuseEmpty(std::string_view text, std::string_view option, const std::string& right);
+// Depths a texel: 1, 2, 4 or 8.
+int samplesFrom(std::string_view text, std::string_view option);
 // "on" or "off".
 bool switchFrom(std::string_view text, std::string_view option);
 

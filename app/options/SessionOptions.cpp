@@ -15,6 +15,7 @@ void SessionOptions::addTo(CLI::App& command) {
   addInput(command);
   addTechnique(command);
   addMap(command);
+  addRead(command);
   addView(command);
 }
 
@@ -74,17 +75,37 @@ void SessionOptions::addMap(CLI::App& command) {
   add("--map-size", mapSize_, "N", "Texels a side, 16 to 8192 (default 1024)");
   add("--format", format_, "NAME",
       "Channel storage: unorm8, unorm16, half or float (default); a depth map also takes double");
-  add("--filter", filter_, "NAME", "Read of the shaded frame: point or bilinear (default)");
-  add("--anisotropy", anisotropy_, "N", "Anisotropic samples of a read; 1");
-  add("--msaa", msaa_, "N", "Samples per shadow-map texel; 1");
-  add("--cascades", cascades_, "N", "Shadow maps along the view; 1");
-  add("--split-lambda", splitLambda_, "L", "Where cascades split, 0 to 1; without effect on one");
+  add("--msaa", msaa_, "N", "Depths a texel: 1 (default), 2, 4 or 8, as far as the driver can");
+  add("--cascades", cascades_, "N", "Shadow maps along the view, 1 (default) to 4");
+  add("--split-lambda", splitLambda_, "L",
+      "Where cascades split: 0 evenly to 1 logarithmically (default 0.5)");
+  add("--cascade-seam", cascadeSeam_, "S",
+      "Part of a cascade that goes over into the next, 0 to 0.5 (default 0.1)");
   add("--bias-constant", biasConstant_, "D", "Depth taken off every receiver (default 0.0005)");
   add("--bias-slope", biasSlope_, "T", "Texels of the receiver's slope taken off (default 1)");
   add("--bias-receiver-plane", biasReceiverPlane_, "on|off",
       "Slope also over half the filter region (default on)");
   add("--cull-front-faces", cullFrontFaces_, "on|off",
       "Casters' faces towards the light leave no depth (default off)");
+}
+
+void SessionOptions::addRead(CLI::App& command) {
+  const std::string group = "Read of the shaded frame";
+  const auto add = [&](const std::string& name, Text& value, const std::string& type,
+                       const std::string& text) {
+    command.add_option(name, value, text)->type_name(type)->group(group);
+  };
+  add("--filter", filter_, "NAME",
+      "point, bilinear (default), trilinear, anisotropic or sat: summed-area table");
+  add("--anisotropy", anisotropy_, "N", "Reads of --filter anisotropic, at most: 1 to 16 (8)");
+  add("--sat-size", satSize_, "NAME",
+      "Box of --filter sat, at least the kernel's: footprint of the pixel (default), distance: "
+      "wider near the camera, or fixed");
+  add("--sat-distance", satDistance_, "D",
+      "With --sat-size distance: where the box is the kernel's, world units (default 0: as far as "
+      "the lit scene is wide)");
+  add("--sat-precision", satPrecision_, "NAME",
+      "Sums of --filter sat: centred (default) or plain floats, or integer");
 }
 
 void SessionOptions::addView(CLI::App& command) {
@@ -103,7 +124,8 @@ void SessionOptions::addView(CLI::App& command) {
   command.add_option("--size", size_, "Picture, pixels (default 1280x720)")
       ->type_name("WxH")
       ->group(group);
-  command.add_option("--view", view_, "shaded (default), visibility, error, depth or layers")
+  command
+      .add_option("--view", view_, "shaded (default), visibility, error, depth, layers or cascades")
       ->type_name("NAME")
       ->group(group);
 }
@@ -123,25 +145,13 @@ Session SessionOptions::session(const TechniqueCatalogue& catalogue) const {
 }
 
 Session SessionOptions::over(Session base, const TechniqueCatalogue& catalogue) const {
-  refuseWhatIsNotThere();
   editSource(base);
   editTechniques(base, catalogue);
   editMap(base);
+  editRead(base.frame.read);
   editBias(base.frame.bias);
   editView(base);
   return base;
-}
-
-void SessionOptions::refuseWhatIsNotThere() const {
-  const auto only = [](const Text& text, const std::string& option, int highest) {
-    if (text && integerFrom(*text, option, 1, highest) != 1)
-      throw Error(ErrorKind::BadCommandLine,
-                  option + ": " + *text + " is not available in this version, only 1 is");
-  };
-  only(anisotropy_, "--anisotropy", 16);
-  only(msaa_, "--msaa", 8);
-  only(cascades_, "--cascades", 4);
-  if (splitLambda_) numberFrom(*splitLambda_, "--split-lambda", {0.0, 1.0});
 }
 
 void SessionOptions::editSource(Session& session) const {
@@ -229,8 +239,26 @@ void SessionOptions::editMap(Session& session) const {
   if (mapSize_)
     frame.map.size =
         integerFrom(*mapSize_, "--map-size", MapSettings::smallest, MapSettings::largest);
-  if (filter_) frame.read.filter = readFilterFrom(*filter_, "--filter");
   if (format_) frame.map.format = storageFormatFrom(*format_, "--format");
+  if (msaa_) frame.map.samples = samplesFrom(*msaa_, "--msaa");
+  CascadeSettings& cascades = frame.map.cascades;
+  if (cascades_)
+    cascades.count = integerFrom(*cascades_, "--cascades", 1, CascadeSettings::largestCount);
+  if (splitLambda_) cascades.splitLambda = numberFrom(*splitLambda_, "--split-lambda", {0.0, 1.0});
+  if (cascadeSeam_)
+    cascades.seam =
+        numberFrom(*cascadeSeam_, "--cascade-seam", {0.0, CascadeSettings::largestSeam});
+}
+
+void SessionOptions::editRead(ReadSettings& read) const {
+  if (filter_) read.filter = readFilterFrom(*filter_, "--filter");
+  if (anisotropy_)
+    read.anisotropy = integerFrom(*anisotropy_, "--anisotropy", 1, ReadSettings::largestAnisotropy);
+  if (satSize_) read.satSize = satSizeFrom(*satSize_, "--sat-size");
+  if (satPrecision_) read.satPrecision = satPrecisionFrom(*satPrecision_, "--sat-precision");
+  if (satDistance_)
+    read.satDistance =
+        numberFrom(*satDistance_, "--sat-distance", {0.0, ReadSettings::largestSatDistance});
 }
 
 void SessionOptions::editBias(Bias& bias) const {

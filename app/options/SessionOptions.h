@@ -48,19 +48,21 @@ class SessionOptions {
   void addInput(CLI::App& command);
   void addTechnique(CLI::App& command);
   void addMap(CLI::App& command);
+  void addRead(CLI::App& command);
   void addView(CLI::App& command);
 
   void editSource(Session& session) const;
   void editTechniques(Session& session, const TechniqueCatalogue& catalogue) const;
   void editMap(Session& session) const;
+  void editRead(ReadSettings& read) const;
   void editBias(Bias& bias) const;
   void editView(Session& session) const;
-  void refuseWhatIsNotThere() const;
 
   Text scene_, depth_, depthRange_, session_;
   std::vector<std::string> sceneSettings_, settings_;
   Text techniques_, kernel_, radius_, sigma_;
-  Text mapSize_, format_, filter_, anisotropy_, msaa_, cascades_, splitLambda_;
+  Text mapSize_, format_, filter_, anisotropy_, msaa_;
+  Text cascades_, splitLambda_, cascadeSeam_, satSize_, satDistance_, satPrecision_;
   Text biasConstant_, biasSlope_, biasReceiverPlane_, cullFrontFaces_;
   Text light_, camera_, size_, view_;
 };

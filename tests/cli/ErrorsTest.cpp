@@ -81,11 +81,51 @@ TEST_F(Errors, ValuesOfOptions) {
   expectError(2, "--view: 'pretty' is none of shaded, visibility", probe({"--view", "pretty"}));
 }
 
-TEST_F(Errors, FeaturesThatThisVersionHasNot) {
-  expectError(2, "only 1 is", probe({"--msaa", "4"}));
-  expectError(2, "only 1 is", probe({"--cascades", "2"}));
-  expectError(2, "only 1 is", probe({"--anisotropy", "16"}));
-  expectError(2, "point, bilinear", probe({"--filter", "sat"}));
+TEST_F(Errors, ValuesOfReadsAndMaps) {
+  for (const char* samples : {"0", "3", "16", "4x"})
+    expectError(2, "--msaa: '" + std::string(samples) + "' is not right, it takes 1, 2, 4 or 8",
+                probe({"--msaa", samples}));
+  for (const char* count : {"0", "5"}) expectError(2, "from 1 to 4", probe({"--cascades", count}));
+  for (const char* most : {"0", "17"})
+    expectError(2, "from 1 to 16", probe({"--anisotropy", most}));
+  expectError(2, "point, bilinear, trilinear, anisotropic, sat", probe({"--filter", "mip"}));
+  expectError(2, "--split-lambda", probe({"--split-lambda", "1.01"}));
+  expectError(2, "--cascade-seam", probe({"--cascade-seam", "0.51"}));
+  expectError(2, "footprint, distance, fixed", probe({"--sat-size", "wide"}));
+  expectError(2, "centred, integer, plain", probe({"--sat-precision", "half"}));
+  expectError(2, "--sat-distance", probe({"--sat-distance", "-1"}));
+}
+
+// What cannot be composed says why, before anything is drawn.
+TEST_F(Errors, CombinationsThatCannotBe) {
+  const auto render = [&](const Arguments& more) {
+    Arguments arguments{"render", "--scene",  "two-planes",        "--filter",
+                        "sat",    "--output", folder.file("p.png")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  };
+  expectError(2, "--filter sat: a table of sums has no minima and maxima, which power-cdf needs",
+              render({"--technique", "power-cdf"}));
+  expectError(2, "--filter sat: a summed-area table averages boxes, not a Gaussian",
+              render({"--kernel", "gaussian"}));
+  expectError(2, "not a Gaussian",
+              {"compare", "--scene", "two-planes", "--filter", "sat", "--kernel", "gaussian"});
+  expectError(2, "--sat-precision integer: the channels of esm do not fit",
+              render({"--technique", "esm", "--sat-precision", "integer"}));
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"m.exr"});
+}
+
+// A texel of a depth file is read as it is, whatever reads of a frame are set.
+TEST_F(Errors, ADepthFileIsProbedAtItsTexelWhateverAFrameReads) {
+  const Outcome plain = run(probe({"--technique", "all"}));
+  ASSERT_EQ(plain.status, 0) << plain.err;
+  for (const char* filter : {"trilinear", "anisotropic", "sat"}) {
+    const Outcome outcome =
+        run(probe({"--technique", "all", "--filter", filter, "--msaa", "4", "--cascades", "3"}));
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, plain.out) << filter;
+    EXPECT_EQ(outcome.err, "") << filter;
+  }
 }
 
 TEST_F(Errors, FormatsThatATechniqueCannotBeStoredIn) {

@@ -40,6 +40,34 @@ TEST(SceneProbe, TellsWhatTheGpuSawAndWhatTheRegionSays) {
   EXPECT_GT(object["techniques"][2]["error"], 0.05);
 }
 
+// The region that the command line takes apart is the one that the shaded frame read.
+TEST(SceneProbe, EveryReadIsTakenApartAsTheGpuDidIt) {
+  for (const char* filter : {"point", "bilinear", "trilinear", "anisotropic", "sat"}) {
+    const Json object = run(with({"probe", "--json", "--scene", "two-planes", "--pixel", "worst",
+                                  "--filter", filter, "--anisotropy", "4", "--technique", "vsm,pcf",
+                                  "--cascades", "3", "--msaa", "4"},
+                                 small))
+                            .json();
+    EXPECT_EQ(object["filter"], filter);
+    EXPECT_GE(object["cascade"], 0);
+    EXPECT_LT(object["cascade"], 3);
+    const bool footprint = std::set<std::string>{"trilinear", "anisotropic", "sat"}.count(filter);
+    ASSERT_EQ(object.contains("footprint"), footprint) << filter;
+    if (footprint) {
+      EXPECT_GE(object["footprint"]["probes"], 1);
+      EXPECT_LE(object["footprint"]["probes"], std::string(filter) == "anisotropic" ? 4 : 1);
+    }
+    // Weights of a tap are right to some 2⁻²², in a sum over the region's taps. A tap in front of
+    // the receiver for one side and behind it for the other would weigh its whole weight.
+    const double taps = object["region"]["texels"];
+    for (const Json& row : object["techniques"])
+      if (row["name"] == "pcf")
+        EXPECT_NEAR(row["gpu"].get<double>(), row["visibility"].get<double>(),
+                    taps * std::ldexp(1.0, -22))
+            << filter;
+  }
+}
+
 TEST(SceneProbe, ThePixelOfAnEarlierProbeGivesTheSameProbe) {
   const Arguments probe{"probe", "--json", "--scene", "two-planes", "--technique", "vsm"};
   const Json first = run(with(with(probe, {"--pixel", "worst"}), small)).json();
@@ -177,6 +205,33 @@ TEST(SceneFormats, AllLeavesOutWhatCannotBeStoredAndSaysWhy) {
           << outcome.err;
     }
   }
+}
+
+TEST(SceneReads, AllLeavesOutWhatATableOfSumsCannotServeAndSaysWhy) {
+  const Outcome outcome = run(with(
+      {"compare", "--json", "--scene", "three-planes", "--technique", "all", "--filter", "sat"},
+      small));
+  std::set<std::string> names;
+  for (const Json& row : outcome.json()["techniques"]) names.insert(row["name"]);
+  for (const char* id : {"hard", "pcf", "vsm", "esm", "msm"}) EXPECT_TRUE(names.count(id)) << id;
+  for (const char* id : {"power-cdf", "layered-power-cdf"}) {
+    EXPECT_FALSE(names.count(id)) << id;
+    EXPECT_NE(outcome.err.find(std::string("which ") + id + " needs"), std::string::npos)
+        << outcome.err;
+  }
+}
+
+// A driver may have fewer samples a texel than were asked for: then it is said, once.
+TEST(SceneReads, FewerSamplesThanAskedForAreSaid) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run(with({"render", "--scene", "two-planes", "--msaa", "8", "--technique",
+                                    "hard,vsm", "-o", folder.file("p.png")},
+                                   small));
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const std::size_t said = outcome.err.find("--msaa: ");
+  if (said == std::string::npos) return;  // it has eight
+  EXPECT_NE(outcome.err.find("the driver has no 8", said), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("--msaa: ", said + 1), std::string::npos) << outcome.err;
 }
 
 TEST(SceneRender, LayersHoldTheErrorOfEachTechnique) {
