@@ -76,6 +76,31 @@ void cameraMoves(benchmark::State& state, const char* scenery, const char* techn
   countPasses(state, stage.renderer);
 }
 
+void filtered(benchmark::State& state, const char* technique, ReadFilter filter) {
+  Stage stage("tree-bench", technique);
+  stage.settings.read.filter = filter;
+  stage.renderer.setFrame(stage.settings);
+  for (auto _ : state) {
+    stage.renderer.renderer().GetActiveCamera()->Azimuth(0.01);
+    stage.renderer.render();
+    glFinish();
+  }
+  countPasses(state, stage.renderer);
+}
+
+// The levels or sums that a filter reads, beside what the light's motion bakes without it.
+void filteredBake(benchmark::State& state, ReadFilter filter) {
+  Stage stage("tree-bench", "vsm");
+  stage.settings.read.filter = filter;
+  stage.renderer.setFrame(stage.settings);
+  for (auto _ : state) {
+    stage.nudgeLight();
+    stage.renderer.render();
+    glFinish();
+  }
+  countPasses(state, stage.renderer);
+}
+
 // Windows that stand still cost a frame only what choosing among them does; a camera that walks
 // moves them and bakes all. The sun's, since a spot light's may all be the whole map.
 void inCascades(benchmark::State& state, const char* scenery, int cascades, bool walks) {
@@ -164,6 +189,13 @@ UMBRA_BENCHMARK(cameraMoves, tree_bench_vsm, "tree-bench", "vsm");
 UMBRA_BENCHMARK(cameraMoves, tree_bench_pcf, "tree-bench", "pcf");
 UMBRA_BENCHMARK(lightMoves, tree_bench_vsm, "tree-bench", "vsm")->Arg(1)->Arg(3)->Arg(16)->Arg(64);
 UMBRA_BENCHMARK(lightMoves, tree_bench_power_cdf, "tree-bench", "power-cdf")->Arg(3)->Arg(64);
+UMBRA_BENCHMARK(filtered, vsm_point, "vsm", ReadFilter::Point);
+UMBRA_BENCHMARK(filtered, vsm_bilinear, "vsm", ReadFilter::Bilinear);
+UMBRA_BENCHMARK(filtered, vsm_trilinear, "vsm", ReadFilter::Trilinear);
+UMBRA_BENCHMARK(filtered, vsm_anisotropic, "vsm", ReadFilter::Anisotropic);
+UMBRA_BENCHMARK(filtered, pcf_trilinear, "pcf", ReadFilter::Trilinear);
+UMBRA_BENCHMARK(filteredBake, vsm_bilinear, ReadFilter::Bilinear);
+UMBRA_BENCHMARK(filteredBake, vsm_trilinear, ReadFilter::Trilinear);
 UMBRA_BENCHMARK(inCascades, tree_bench_one_stands, "tree-bench", 1, false);
 UMBRA_BENCHMARK(inCascades, tree_bench_one_walks, "tree-bench", 1, true);
 UMBRA_BENCHMARK(inCascades, tree_bench_three_stand, "tree-bench", 3, false);

@@ -5,11 +5,14 @@
 uniform sampler2DArray umbraMipMap;  // its level 0 is mip level 1; layers as umbraChannelMap
 uniform float umbraWindow[65];  // the kernel's weights of all taps up to this far from its centre
 
-// Of levels above the map itself: the last one is a single texel.
-int umbraLevels() {
-  int side = max(umbraMapSize().x, umbraMapSize().y), levels = 0;
-  while ((1 << levels) < side) ++levels;
-  return levels;
+// Texels a side of the level 0 that the others halve: P.
+int umbraWholeSide() {
+  int side = max(umbraMapSize().x, umbraMapSize().y) - 1;
+  side |= side >> 1;
+  side |= side >> 2;
+  side |= side >> 4;
+  side |= side >> 8;
+  return side + 1;
 }
 
 // Of a value from 1 to 2. Drivers' own logarithms may have few digits.
@@ -20,12 +23,15 @@ float umbraLog2(float value) {
   return min(2.8853900817779268 * s * series, 1.0);
 }
 
-// The finer of the two levels that the footprint mixes, and the weight of the next.
-int umbraLevel(out float next) {
-  float side = length(umbraFootprint.xy) / umbraFootprint.z;
-  int level = 0, levels = umbraLevels();
-  for (; side >= 2.0 && level < levels; ++level) side *= 0.5;
-  next = side > 1.0 && level < levels ? umbraLog2(side) : 0.0;
+// The finer of the two levels that a footprint mixes, and the weight of the next; at the last level,
+// a single texel, there is none.
+int umbraLevelOf(vec3 footprint, out float next) {
+  float whole = float(umbraWholeSide());
+  float side = clamp(length(footprint.xy) / footprint.z, 1.0, whole);
+  // The logarithm may be off by a digit where the side is about a power of two.
+  int level = int(log2(side) + 0.5);
+  if (float(1 << level) > side) --level;
+  next = umbraLog2(side / float(1 << level));
   return level;
 }
 
@@ -39,7 +45,7 @@ vec2 umbraProbe(int probe) {
 void umbraLevelTexels(vec2 position, int level, out ivec2 first, out ivec2 last, out vec2 second) {
   vec2 corner = position / float(1 << level) - 0.5;
   vec2 whole = floor(corner);
-  ivec2 end = ivec2((1 << (umbraLevels() - level)) - 1);
+  ivec2 end = ivec2((umbraWholeSide() >> level) - 1);
   second = corner - whole;
   first = clamp(ivec2(whole), ivec2(0), end);
   last = clamp(ivec2(whole) + 1, ivec2(0), end);
@@ -103,7 +109,7 @@ float umbraLevelCloser(vec2 position, int level, float receiver) {
 // Exact percentage-closer filtering over the region that this read averages.
 float umbraPercentageCloser(float receiver) {
   float next, visible = 0.0;
-  int level = umbraLevel(next);
+  int level = umbraLevelOf(umbraFootprint, next);
   for (int probe = 0; probe < int(umbraFootprint.z); ++probe) {
     vec2 position = umbraProbe(probe);
     float finer = umbraLevelCloser(position, level, receiver);
@@ -113,31 +119,43 @@ float umbraPercentageCloser(float receiver) {
   return min(visible / umbraFootprint.z, 1.0);
 }
 
-vec4 umbraLevelFour(ivec2 texel, int layer, int level) {
-  if (level == 0) return umbraFour(texel, layer);
+// Of level 1 and on.
+vec4 umbraMipFour(ivec2 texel, int layer, int level) {
   return texelFetch(umbraMipMap, ivec3(texel, umbraCascade * UMBRA_LAYERS + layer), level - 1);
 }
 
-vec4 umbraReadLevel(vec2 position, int layer, int level) {
+vec4 umbraMixed(vec4 a, vec4 b, vec4 c, vec4 d, vec2 second) {
+  return mix(mix(a, b, second.x), mix(c, d, second.x), second.y);
+}
+
+vec4 umbraReadMip(vec2 position, int layer, int level) {
   ivec2 first, last;
   vec2 second;
   umbraLevelTexels(position, level, first, last, second);
-  vec4 top = mix(umbraLevelFour(first, layer, level),
-                 umbraLevelFour(ivec2(last.x, first.y), layer, level), second.x);
-  vec4 bottom = mix(umbraLevelFour(ivec2(first.x, last.y), layer, level),
-                    umbraLevelFour(last, layer, level), second.x);
-  return mix(top, bottom, second.y);
+  return umbraMixed(umbraMipFour(first, layer, level),
+                    umbraMipFour(ivec2(last.x, first.y), layer, level),
+                    umbraMipFour(ivec2(first.x, last.y), layer, level),
+                    umbraMipFour(last, layer, level), second);
+}
+
+vec4 umbraReadMap(vec2 position, int layer) {
+  vec2 corner = position - 0.5, whole = floor(corner);
+  ivec2 first = ivec2(whole);
+  return umbraMixed(umbraFour(first, layer), umbraFour(first + ivec2(1, 0), layer),
+                    umbraFour(first + ivec2(0, 1), layer), umbraFour(first + ivec2(1, 1), layer),
+                    corner - whole);
 }
 
 vec4 umbraReadFour(int layer) {
 #if UMBRA_PREFILTERED
   float next;
-  int level = umbraLevel(next);
+  int level = umbraLevelOf(umbraFootprint, next);
   vec4 sum = vec4(0.0);
   for (int probe = 0; probe < int(umbraFootprint.z); ++probe) {
     vec2 position = umbraProbe(probe);
-    vec4 four = umbraReadLevel(position, layer, level);
-    if (next > 0.0) four = mix(four, umbraReadLevel(position, layer, level + 1), next);
+    vec4 four =
+        level == 0 ? umbraReadMap(position, layer) : umbraReadMip(position, layer, level);
+    if (next > 0.0) four = mix(four, umbraReadMip(position, layer, level + 1), next);
     sum += four;
   }
   return sum / umbraFootprint.z;
