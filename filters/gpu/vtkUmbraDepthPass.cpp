@@ -135,6 +135,8 @@ void vtkUmbraDepthPass::CopySamples() {
   const GLuint program = this->Programs.compute("depth samples", DepthSamples_comp_glsl);
   gl::setUniform(program, "umbraSamples", 0);
   gl::setUniform(program, "umbraFirstLayer", this->FirstLayer);
+  // Mesa's software renderer starts compute shaders before what was drawn last is finished.
+  glFlush();
   glUseProgram(program);
   glBindTextureUnit(0, this->SampleDepths.name());
   glBindImageTexture(0, this->Target->name(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_R32F);
