@@ -51,10 +51,11 @@ void umbraLevelTexels(vec2 position, int level, out ivec2 first, out ivec2 last,
   last = clamp(ivec2(whole) + 1, ivec2(0), end);
 }
 
-// Weight of all of the kernel's taps up to `tap`.
+// Weight of all of the kernel's taps up to `tap`: half of it all, and half of what lies as far from
+// the centre on either side.
 float umbraCumulative(int tap) {
-  return tap >= 0 ? 0.5 + 0.5 * umbraWindow[min(tap, umbraRadius)]
-                  : 0.5 - 0.5 * umbraWindow[min(-1 - tap, umbraRadius)];
+  int distance = min(tap >= 0 ? tap : -1 - tap, umbraRadius);
+  return 0.5 + (tap >= 0 ? 0.5 : -0.5) * umbraWindow[distance];
 }
 
 // What a bilinear read of a level averages along one axis: two blocks of prefiltered texels of
