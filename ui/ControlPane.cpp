@@ -2,8 +2,10 @@
 
 #include <QVBoxLayout>
 
+#include "filters/core/Composition.h"
 #include "ui/Prober.h"
 #include "ui/ReductionTools.h"
+#include "ui/SceneView.h"
 #include "ui/SessionController.h"
 #include "ui/widgets/FrameSettingsForm.h"
 #include "ui/widgets/ParameterForm.h"
@@ -11,20 +13,6 @@
 #include "ui/widgets/TechniqueList.h"
 
 namespace umbra {
-namespace {
-
-std::map<StorageFormat, QString> formatRefusalsOf(const Technique& technique) {
-  std::map<StorageFormat, QString> reasons;
-  for (StorageFormat format : {StorageFormat::Unorm8, StorageFormat::Unorm16, StorageFormat::Half,
-                               StorageFormat::Float, StorageFormat::Double}) {
-    const std::string reason = technique.refusal(format);
-    if (!reason.empty()) reasons[format] = QString::fromStdString(reason);
-  }
-  return reasons;
-}
-
-}  // namespace
-
 ControlPane::ControlPane(SessionController& controller, Prober& prober, SceneView& view,
                          QWidget* parent)
     : QScrollArea(parent),
@@ -75,6 +63,9 @@ ControlPane::ControlPane(SessionController& controller, Prober& prober, SceneVie
     controller_.endMerge();
   });
   connect(&prober, &Prober::reported, reduction_, &ReductionTools::followProbe);
+  connect(&view, &SceneView::frameDrawn, this, [this, &view] {
+    if (const ShadowRenderer* drawn = view.lastFrame()) frame_->setGivenSamples(drawn->samples());
+  });
   refresh();
 }
 
@@ -84,7 +75,17 @@ void ControlPane::refresh() {
   parameters_->setTechnique(controller_.technique());
   parameters_->setNotices(controller_.notices());
   frame_->setSettings(controller_.session().frame);
-  frame_->setFormatRefusals(formatRefusalsOf(controller_.technique()));
+  frame_->setObstacle([this](const FrameSettings& frame) {
+    FrameSettings drawn = frame;
+    // A depth file's texels are read as they are.
+    if (controller_.document().content.depth) drawn.read.filter = ReadFilter::Point;
+    return QString::fromStdString(whyImpossible(drawn, controller_.technique()));
+  });
+  const Document& document = controller_.document();
+  if (document.session.camera)
+    frame_->setCamera(*document.session.camera);
+  else if (document.content.scene)
+    frame_->setCamera(document.content.scene->camera);
   reduction_->refresh();
 }
 

@@ -1,6 +1,7 @@
 #include "ui/EvidencePanes.h"
 
 #include <QEvent>
+#include <algorithm>
 #include <exception>
 
 #include "analysis/ProbePlots.h"
@@ -89,7 +90,8 @@ void EvidencePanes::refreshProbe() {
   histogram_->setPlot(histogramPlot(probe));
   table_->setProbe(probe, style::text(technique));
   region_->setProbe(probe);
-  map_->setRegion(probe.region);
+  if (report->cascade != shownCascade_) refreshMap();
+  map_->setRegion(ownRegion(probe));
   // The first probe and every pinned one are brought into view; hovering leaves the zoom alone.
   if (!regionShown_ && (report->pinned || controller_.document().content.depth)) {
     map_->showRegion();
@@ -131,16 +133,22 @@ void EvidencePanes::showChannel() {
     } else {
       const int index = channelNames().indexOf(channel);
       const bool depth = index <= 0;
-      const QString key =
-          QString("%1 %2").arg(channel).arg(depth ? view_.mapRevision() : view_.channelsRevision());
+      const auto& report = prober_.report();
+      const int last = int(frame->cascades().size()) - 1;
+      shownCascade_ = report ? std::min(report->cascade, last) : 0;
+      const QString key = QString("%1 %2 %3")
+                              .arg(channel)
+                              .arg(depth ? view_.mapRevision() : view_.channelsRevision())
+                              .arg(shownCascade_);
       if (key == shownMap_) return;
       const int count = int(controller_.technique().channels().size());
       const bool filtered = controller_.technique().info().prefilterable && index <= count;
       if (depth)
-        map_->setImage(frame->depthMap());
+        map_->setImage(frame->depthMap(shownCascade_));
       else
-        map_->setImage(frame->channels(filtered ? BakeStage::Prefiltered : BakeStage::Encoded),
-                       (index - 1) % count);
+        map_->setImage(
+            frame->channels(filtered ? BakeStage::Prefiltered : BakeStage::Encoded, shownCascade_),
+            (index - 1) % count);
       shownMap_ = key;
     }
   } catch (const std::exception& problem) {

@@ -62,6 +62,7 @@ class EvidencePanes : public QObject {
   PlotPane* lastPlot_;
   ProbeTable* table_;
   QString shownMap_;  // says which map and channel are shown, to read back only what changed
+  int shownCascade_ = 0;
   bool regionShown_ = false;
 };
 

@@ -33,7 +33,8 @@ constexpr Mode viewModes[] = {{ViewMode::Shaded, "Shaded", Qt::Key_F2},
                               {ViewMode::Visibility, "Visibility", Qt::Key_F3},
                               {ViewMode::Error, "Signed error", Qt::Key_F4},
                               {ViewMode::Depth, "Depth", Qt::Key_F5},
-                              {ViewMode::Layers, "Layers", Qt::Key_F6}};
+                              {ViewMode::Layers, "Layers", Qt::Key_F6},
+                              {ViewMode::Cascades, "Cascades", Qt::Key_F7}};
 
 const char* const meshFilter = "*.obj *.ply *.off *.stl";
 

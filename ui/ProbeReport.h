@@ -14,6 +14,7 @@ struct ProbeReport {
   Probe probe;
   Pixel pixel;          // of the view (device pixels), or the texel of a depth file
   bool pinned = false;  // by a click; else it follows the pointer
+  int cascade = 0;      // on whose map it lies
   bool facesLight = true;
   bool receiverByHand = false;  // dragged in a plot, not the surface's
   // World, on the surface; absent for a depth file.

@@ -147,8 +147,13 @@ std::optional<Prober::Place> Prober::hiddenPlace() {
   // The light has moved: the point is elsewhere in its map, as far in front of itself as before.
   const LightPoint point = view_.lastFrame()->lightFrame().project(place.surface.world);
   if (!point.inside) return std::nullopt;
-  place.surface.u = point.u;
-  place.surface.v = point.v;
+  const std::vector<Cascade>& cascades = view_.lastFrame()->cascades();
+  SurfacePoint& surface = place.surface;
+  surface.cascade = std::min(surface.cascade, int(cascades.size()) - 1);
+  surface.nextCascade = 0.0;
+  surface.u = cascades[surface.cascade].u(point.u);
+  surface.v = cascades[surface.cascade].v(point.v);
+  if (surface.u < 0.0 || surface.u > 1.0 || surface.v < 0.0 || surface.v > 1.0) return std::nullopt;
   place.surface.receiver = std::clamp(point.z + place.surface.receiver - place.depth, 0.0, 1.0);
   return place;
 }
@@ -157,16 +162,28 @@ ProbeReport Prober::probeAt(const Place& place) {
   ShadowRenderer& frame = *view_.lastFrame();
   const Session& session = controller_.session();
   const SurfacePoint& surface = place.surface;
-  const ReadPoint read{session.frame.read.filter, surface.u, surface.v, {}};
-  ProbeReport report = probe(frame.depthMap(), read, session.receiver.value_or(surface.receiver),
-                             view_.mapRevision());
+  const std::vector<Cascade>& cascades = frame.cascades();
+  ProbeRequest request =
+      requestOn(frame.depthMap(surface.cascade),
+                {session.frame.read.filter, surface.u, surface.v, surface.footprint},
+                session.receiver.value_or(surface.receiver));
+  request.cascade = surface.cascade;
+  if (surface.nextCascade > 0.0) {
+    const int next = surface.cascade + 1;
+    request.seam.emplace(SeamPart{
+        frame.depthMap(next),
+        readInCascade(request.read, cascades[surface.cascade], cascades[next], request.kernel),
+        surface.nextCascade});
+  }
+  ProbeReport report = probe(std::move(request), frame.depthMap(0), view_.mapRevision());
+  report.cascade = surface.cascade;
   report.pixel = place.pixel;
   report.pinned = session.probe.has_value();
   report.facesLight = surface.facesLight;
   report.receiverByHand = session.receiver.has_value();
   report.point = surface.world;
-  report.footprint = footprintOf(report.probe.region, session.frame.map.size, surface.receiver,
-                                 frame.lightFrame(), place.plane);
+  report.footprint = footprintOf(ownRegion(report.probe), session.frame.map.size, surface.receiver,
+                                 cascades[surface.cascade].frame, place.plane);
   if (session.receiver || !place.inSight) return report;  // the frame shows no such visibility
   for (TechniqueResult& result : report.probe.techniques)
     if (result.technique->info().id == session.technique) result.gpu = surface.visibility;
@@ -179,27 +196,59 @@ std::optional<ProbeReport> Prober::takeOnDepthFile() {
   const std::optional<Pixel> texel = document.session.probe ? document.session.probe : hover_;
   if (!texel || texel->x < 0 || texel->y < 0 || texel->x >= map.width() || texel->y >= map.height())
     return std::nullopt;
-  ProbeReport report = probe(map, ReadPoint::atTexel(map, texel->x, texel->y),
-                             document.session.receiver.value_or(0.5), 0);
+  ProbeReport report = probe(requestOn(map, ReadPoint::atTexel(map, texel->x, texel->y),
+                                       document.session.receiver.value_or(0.5)),
+                             map, 0);
   report.pixel = *texel;
   report.pinned = document.session.probe.has_value();
   return report;
 }
 
-ProbeReport Prober::probe(const DepthMap& map, const ReadPoint& read, double receiver,
-                          int revision) {
+// The picture's technique takes the picture's splits, so that both agree while they move.
+void Prober::adaptTechniques(const DepthMap& map, int revision) {
+  const ShadowRenderer* frame = view_.lastFrame();
+  std::vector<double> splits;
+  if (frame && controller_.document().content.scene) splits = frame->adaptedSplits();
+  const auto shown = [&](const Technique& technique) {
+    return !splits.empty() && technique.info().id == controller_.session().technique;
+  };
   if (adaptedTo_ != revision) {
     adapted_.clear();
     for (const auto& technique : controller_.techniques()) {
       std::shared_ptr<Technique> copy = technique->clone();
-      copy->adapt(map);
+      if (shown(*copy))
+        copy->setAdaptedSplits(splits);
+      else
+        copy->adapt(map);
       adapted_.push_back(std::move(copy));
     }
-    adaptedTo_ = revision;
+  } else if (splits != splits_) {
+    for (auto& technique : adapted_) {
+      if (!shown(*technique)) continue;
+      std::shared_ptr<Technique> copy = technique->clone();
+      copy->setAdaptedSplits(splits);
+      technique = std::move(copy);
+    }
   }
+  adaptedTo_ = revision;
+  splits_ = std::move(splits);
+}
+
+ProbeRequest Prober::requestOn(const DepthMap& map, const ReadPoint& read, double receiver) const {
   const FrameSettings& settings = controller_.session().frame;
+  return {.map = map,
+          .read = read,
+          .kernel = settings.kernel,
+          .format = settings.map.format,
+          .receiver = receiver,
+          .satPrecision = settings.read.satPrecision};
+}
+
+ProbeReport Prober::probe(ProbeRequest request, const DepthMap& first, int revision) {
+  adaptTechniques(first, revision);
+  request.techniques = adapted_;
   ProbeReport report;
-  report.probe = takeProbe({map, read, settings.kernel, settings.map.format, receiver, adapted_});
+  report.probe = takeProbe(request);
   return report;
 }
 

@@ -54,7 +54,10 @@ class Prober : public QObject {
   std::optional<Place> visiblePlace();
   std::optional<Place> hiddenPlace();
   ProbeReport probeAt(const Place& place);
-  ProbeReport probe(const DepthMap& map, const ReadPoint& read, double receiver, int revision);
+  void adaptTechniques(const DepthMap& map, int revision);
+  ProbeRequest requestOn(const DepthMap& map, const ReadPoint& read, double receiver) const;
+  // `first` is the map of the first cascade, to which techniques are adapted.
+  ProbeReport probe(ProbeRequest request, const DepthMap& first, int revision);
   std::optional<Pixel> pinnedPixel();
   void sessionChanged(const Document& before, const Document& after);
 
@@ -66,6 +69,7 @@ class Prober : public QObject {
   std::optional<Place> lastSeen_;                          // where the probe was last in sight
   std::vector<std::shared_ptr<const Technique>> adapted_;  // to the map of `adaptedTo_`
   int adaptedTo_ = -1;
+  std::vector<double> splits_;  // that the picture's technique has in adapted_
 };
 
 }  // namespace umbra

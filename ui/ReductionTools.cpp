@@ -59,7 +59,7 @@ QString ReductionTools::said() const {
 void ReductionTools::refresh() {
   const Technique& technique = controller_.technique();
   const bool possible = largestBleedReduction(technique).has_value() &&
-                        technique.refusal(controller_.session().frame.map.format).empty();
+                        !controller_.refusals().contains(style::text(technique.info().id));
   setVisible(possible);
   followProbe();
   const Content& content = controller_.document().content;

@@ -3,6 +3,7 @@
 #include <QUndoCommand>
 #include <exception>
 
+#include "filters/core/Composition.h"
 #include "ui/SourceLoader.h"
 #include "ui/widgets/Style.h"
 
@@ -61,10 +62,17 @@ const Technique& SessionController::technique() const {
   return *techniques_.front();  // never: rebuildTechniques refuses an unknown one
 }
 
+// A depth file's texels are read as they are.
+FrameSettings SessionController::readSettings() const {
+  FrameSettings frame = session().frame;
+  if (document_.content.depth) frame.read.filter = ReadFilter::Point;
+  return frame;
+}
+
 QMap<QString, QString> SessionController::refusals() const {
   QMap<QString, QString> reasons;
   for (const auto& technique : techniques_) {
-    const std::string reason = technique->refusal(session().frame.map.format);
+    const std::string reason = whyImpossible(readSettings(), *technique);
     if (!reason.empty())
       reasons.insert(style::text(technique->info().id), QString::fromStdString(reason));
   }

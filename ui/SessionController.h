@@ -30,7 +30,8 @@ class SessionController : public QObject {
   const Technique& technique() const;  // the session's
   // A sentence for each parameter of the session's technique that its format limits.
   const QStringList& notices() const { return notices_; }
-  // Of the techniques that the session's storage format cannot hold: why, by id.
+  // Of the techniques that the session's format, kernel or read cannot be composed with: why, by
+  // id.
   QMap<QString, QString> refusals() const;
   QUndoStack& undoStack() { return undo_; }
   bool loading() const;
@@ -59,6 +60,7 @@ class SessionController : public QObject {
   friend class DocumentCommand;
   void push(const QString& text, Document after, const QString& mergeKey);
   void show(const Document& document);  // undo, redo and every edit end here
+  FrameSettings readSettings() const;
   void rebuildTechniques(const Session& session);
 
   TechniqueCatalogue catalogue_;

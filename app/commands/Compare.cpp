@@ -71,6 +71,7 @@ void CompareCommand::compareMap(Session session) const {
     throw Error(ErrorKind::BadCommandLine, "--receiver: is missing, give --receiver Z");
   if (!options.namesFormat() && !options.namesSession())
     session.frame.map.format = StorageFormat::Double;
+  session.frame.read.filter = ReadFilter::Point;  // of every texel
   const auto chosen = techniques(session);
   const DepthMap map = loadDepthMap(session.source);
   for (const auto& technique : chosen) {
@@ -79,7 +80,6 @@ void CompareCommand::compareMap(Session session) const {
   }
   const std::vector<std::shared_ptr<const Technique>> adapted(chosen.begin(), chosen.end());
   const Kernel& kernel = session.frame.kernel;
-  session.frame.read.filter = ReadFilter::Point;  // of every texel
   const StorageFormat format = session.frame.map.format;
   const auto metrics =
       compareOnMap(map, adapted, kernel, format, *session.receiver, throwIfCancelled);

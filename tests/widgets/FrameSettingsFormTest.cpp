@@ -4,6 +4,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLabel>
 #include <QTest>
 
 #include "ui/widgets/Controls.h"
@@ -21,7 +22,11 @@ class FrameSettingsFormTest : public testing::Test {
                      });
   }
 
-  QComboBox* boxWith(int index) { return form.findChildren<QComboBox*>().at(index); }
+  QComboBox* boxShowing(const char* text) {
+    for (QComboBox* box : form.findChildren<QComboBox*>())
+      if (box->currentText() == text) return box;
+    return nullptr;
+  }
 
   FrameSettingsForm form;
   std::vector<std::pair<FrameSettings, QString>> changes;
@@ -69,32 +74,118 @@ TEST_F(FrameSettingsFormTest, SigmaIsAutomaticOrWithinTheKernelsRange) {
 }
 
 TEST_F(FrameSettingsFormTest, EveryBoxNamesItsChange) {
-  const char* names[] = {"kernel", "read", "map size", "format"};
-  for (int i = 0; i < 4; ++i) {
-    QComboBox* box = boxWith(i);
-    const int key = box->currentIndex() > 0 ? Qt::Key_Up : Qt::Key_Down;
-    QTest::keyClick(box, Qt::Key(key));
-    ASSERT_EQ(changes.size(), std::size_t(i + 1));
-    EXPECT_EQ(changes.back().second, names[i]);
+  const std::pair<const char*, const char*> boxes[] = {{"Box", "kernel"},
+                                                       {"Bilinear", "read"},
+                                                       {"×8", "anisotropy"},
+                                                       {"Footprint", "box size"},
+                                                       {"Centred float", "table precision"},
+                                                       {"1024²", "map size"},
+                                                       {"float", "format"}};
+  for (const auto& [shown, name] : boxes) {
+    QComboBox* box = boxShowing(shown);
+    ASSERT_NE(box, nullptr) << shown;
+    changes.clear();
+    QTest::keyClick(box, Qt::Key(box->currentIndex() > 0 ? Qt::Key_Up : Qt::Key_Down));
+    ASSERT_EQ(changes.size(), 1u) << name;
+    EXPECT_EQ(changes.back().second, name);
   }
   const FrameSettings& last = changes.back().first;
   EXPECT_EQ(last.kernel.shape, KernelShape::None);
   EXPECT_EQ(last.read.filter, ReadFilter::Point);
+  EXPECT_EQ(last.read.anisotropy, 4);
+  EXPECT_EQ(last.read.satSize, SatSize::Distance);
+  EXPECT_EQ(last.read.satPrecision, SatPrecision::Integer);
   EXPECT_EQ(last.map.size, 512);
   EXPECT_EQ(last.map.format, StorageFormat::Half);
 }
 
-TEST_F(FrameSettingsFormTest, ARefusedFormatSaysWhyAndIsPassedOver) {
-  form.setFormatRefusals({{StorageFormat::Half, "too coarse"}});
-  QComboBox* box = boxWith(3);
+TEST_F(FrameSettingsFormTest, OnlyRowsThatMatterAreShown) {
+  FrameSettings settings;
+  const auto shows = [&](const char* label) {
+    form.setSettings(settings);
+    for (QLabel* text : form.findChildren<QLabel*>())
+      if (text->text() == label) return text->isVisibleTo(&form);
+    ADD_FAILURE() << "no label " << label;
+    return false;
+  };
+  for (const char* label : {"Anisotropy", "Box", "Box distance", "Sums", "Split λ", "Seam"})
+    EXPECT_FALSE(shows(label)) << label;
+  settings.read.filter = ReadFilter::Anisotropic;
+  EXPECT_TRUE(shows("Anisotropy"));
+  settings.read.filter = ReadFilter::SummedArea;
+  EXPECT_FALSE(shows("Anisotropy"));
+  EXPECT_TRUE(shows("Box"));
+  EXPECT_TRUE(shows("Sums"));
+  EXPECT_FALSE(shows("Box distance"));
+  settings.read.satSize = SatSize::Distance;
+  EXPECT_TRUE(shows("Box distance"));
+  settings.map.cascades.count = 3;
+  EXPECT_TRUE(shows("Split λ"));
+  EXPECT_TRUE(shows("Seam"));
+}
+
+TEST_F(FrameSettingsFormTest, FreezingTakesTheCameraThatLooks) {
+  FrameSettings settings;
+  settings.map.cascades.count = 2;
+  form.setSettings(settings);
+  Camera camera;
+  camera.position = {1.0, 2.0, 3.0};
+  form.setCamera(camera);
+  QCheckBox* freeze = nullptr;
+  for (QCheckBox* box : form.findChildren<QCheckBox*>())
+    if (box->text() == "Freeze cascades") freeze = box;
+  ASSERT_NE(freeze, nullptr);
+  freeze->click();
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_EQ(changes[0].second, "frozen cascades");
+  EXPECT_EQ(changes[0].first.map.cascades.frozen, camera);
+  freeze->click();
+  EXPECT_EQ(changes[1].first.map.cascades.frozen, std::nullopt);
+}
+
+TEST_F(FrameSettingsFormTest, SaysWhenTheDriverGivesFewerSamples) {
+  FrameSettings settings;
+  settings.map.samples = 8;
+  form.setSettings(settings);
+  auto* notice = form.findChild<QLabel*>("samples notice");
+  ASSERT_NE(notice, nullptr);
+  EXPECT_FALSE(notice->isVisibleTo(&form));
+  form.setGivenSamples(4);
+  EXPECT_TRUE(notice->isVisibleTo(&form));
+  EXPECT_EQ(notice->text(), "The driver gives 4");
+  form.setGivenSamples(8);
+  EXPECT_FALSE(notice->isVisibleTo(&form));
+}
+
+TEST_F(FrameSettingsFormTest, AnImpossibleChoiceSaysWhyAndIsPassedOver) {
+  form.setObstacle([](const FrameSettings& frame) {
+    return frame.map.format == StorageFormat::Half ? QString("too coarse") : QString();
+  });
+  QComboBox* box = boxShowing("float");
   const int half = box->findText("half");
   EXPECT_EQ(box->itemData(half, Qt::ToolTipRole).toString(), "too coarse");
   QTest::keyClick(box, Qt::Key_Up);
   ASSERT_EQ(changes.size(), 1u);
   EXPECT_EQ(changes[0].first.map.format, StorageFormat::Unorm16);
-  form.setFormatRefusals({});
+  form.setObstacle([](const FrameSettings&) { return QString(); });
   QTest::keyClick(box, Qt::Key_Down);
   EXPECT_EQ(changes.back().first.map.format, StorageFormat::Half);
+}
+
+// Else nothing could be chosen any more, not even what would help.
+TEST_F(FrameSettingsFormTest, WhatIsImpossibleAlreadyGreysOutNothingElse) {
+  FrameSettings settings;
+  settings.read.filter = ReadFilter::SummedArea;
+  form.setSettings(settings);
+  form.setObstacle([](const FrameSettings& frame) {
+    return frame.read.filter == ReadFilter::SummedArea ? QString("no table") : QString();
+  });
+  for (const char* shown : {"Summed area", "float", "Box"}) {
+    QComboBox* box = boxShowing(shown);
+    for (int item = 0; item < box->count(); ++item)
+      EXPECT_EQ(box->itemData(item, Qt::ToolTipRole).toString(), "")
+          << box->itemText(item).toStdString();
+  }
 }
 
 TEST_F(FrameSettingsFormTest, AUnitIsSingularBesideOne) {
@@ -109,8 +200,9 @@ TEST_F(FrameSettingsFormTest, AUnitIsSingularBesideOne) {
 }
 
 TEST_F(FrameSettingsFormTest, BoxesTickTheirOwnBias) {
-  const QList<QCheckBox*> boxes = form.findChildren<QCheckBox*>();
-  for (QCheckBox* box : boxes) box->click();
+  for (const char* text : {"Receiver-plane bias", "Cull front faces"})
+    for (QCheckBox* box : form.findChildren<QCheckBox*>())
+      if (box->text() == text) box->click();
   ASSERT_EQ(changes.size(), 2u);
   EXPECT_EQ(changes[0].second, "receiver plane");
   EXPECT_FALSE(changes[0].first.bias.receiverPlane);

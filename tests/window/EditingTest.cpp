@@ -236,6 +236,47 @@ void WindowTest::aMapChannelCanBeLookedAt() {
   QCOMPARE(map.canvas()->valueAt(texel), filtered(texel.x(), texel.y(), 0));
 }
 
+void WindowTest::aProbeIsOnTheMapOfItsCascade() {
+  Session session;
+  session.source.name = "three-planes";
+  session.frame.read.filter = ReadFilter::Anisotropic;
+  session.frame.map.cascades.count = 3;
+  MainWindow& window = open(session);
+  const Pixel pixel = window.prober().report()->pixel;
+  const auto surface = window.view().surfaceAt(pixel);
+  QVERIFY(surface.has_value());
+  const ProbeReport& report = *window.prober().report();
+  QCOMPARE(report.cascade, surface->cascade);
+  const FrameSettings& frame = window.controller().session().frame;
+  ShadowRenderer& drawn = *window.view().lastFrame();
+  const DepthMap& map = drawn.depthMap(surface->cascade);
+  const Region region =
+      regionOf(map, frame.kernel, {frame.read.filter, surface->u, surface->v, surface->footprint});
+  QCOMPARE(ownRegion(report.probe).texels.size(), region.texels.size());
+  const QPoint texel(region.x, region.y);
+  QCOMPARE(window.evidence().map().canvas()->valueAt(texel), float(map(region.x, region.y)));
+  key(Qt::Key_F7);
+  QVERIFY(window.controller().session().frame.view == ViewMode::Cascades);
+  settle();
+}
+
+void WindowTest::whatATableOfSumsCannotServeCannotBeChosen() {
+  MainWindow& window = open();
+  window.controller().edit("read",
+                           [](Session& s) { s.frame.read.filter = ReadFilter::SummedArea; });
+  settle();
+  QVERIFY(window.prober().report().has_value());
+  const QString reason = window.controller().refusals().value("power-cdf");
+  QVERIFY(reason.contains("power-cdf"));
+  QVERIFY(!window.controller().refusals().contains("vsm"));
+  bool dash = false;
+  const QAbstractItemModel& table = *window.evidence().table().view()->model();
+  for (int row = 0; row < table.rowCount(); ++row)
+    dash = dash || (table.index(row, 1).data().toString() == QString::fromUtf8("–") &&
+                    table.index(row, 0).data(Qt::ToolTipRole).toString().contains(reason));
+  QVERIFY(dash);
+}
+
 void WindowTest::aDockFloatsAndComesBack() {
   MainWindow& window = open();
   for (QDockWidget* dock : window.docks()) {

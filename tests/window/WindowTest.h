@@ -37,6 +37,8 @@ class WindowTest : public QObject {
   void draggingTheSunMovesTheLight();
   void draggingTheReceiverIsStudiedUntilReset();
   void aMapChannelCanBeLookedAt();
+  void aProbeIsOnTheMapOfItsCascade();
+  void whatATableOfSumsCannotServeCannotBeChosen();
   void aDockFloatsAndComesBack();
   void pictureAndPlotsAreWritten();
   void aBadFileLeavesTheSceneOpen();
@@ -46,6 +48,10 @@ class WindowTest : public QObject {
   void aDepthFileIsProbedByTexel();
   void aRestartBringsSessionAndLayoutBack();
   void theSmallestScreenHoldsEverything();
+  void lightBleedingIsPredictedThenMeasured();
+  void aLessonIsWalkedByKeyAndKeepsItsPredictions();
+  void aLessonLeavesOnesOwnSessionAsItWas();
+  void quittingInALessonRemembersOnesOwnSession();
 
  private:
   // A window of 1300 × 800 on the session, its first frame drawn.

@@ -2,6 +2,7 @@
 
 #include <QPainter>
 
+#include "filters/gpu/ViewColours.h"
 #include "ui/widgets/Style.h"
 
 namespace umbra {
@@ -31,7 +32,8 @@ void ColourBar::setLabel(const QString& label) {
   update();
 }
 
-void ColourBar::setViewMode(ViewMode mode) {
+void ColourBar::setViewMode(ViewMode mode, int cascades) {
+  cascades_ = mode == ViewMode::Cascades ? cascades : 0;
   switch (mode) {
     case ViewMode::Visibility:
       setScale(ColourMap::Grey, 0.0, 1.0, tr("visibility v"));
@@ -42,9 +44,14 @@ void ColourBar::setViewMode(ViewMode mode) {
     case ViewMode::Depth:
       setScale(ColourMap::Viridis, 0.0, 1.0, tr("light-space depth z"));
       break;
+    case ViewMode::Cascades:
+      label_ = tr("cascade, from the camera outwards");
+      setToolTip(label_);
+      updateGeometry();
+      update();
+      break;
     case ViewMode::Shaded:
     case ViewMode::Layers:
-    case ViewMode::Cascades:
       setVisible(false);
       return;
   }
@@ -71,6 +78,7 @@ void ColourBar::paintEvent(QPaintEvent*) {
     top = line;
   }
   const QRect bar(0, top, width(), barHeight);
+  if (cascades_ > 0) return paintCascades(painter, bar);
   QLinearGradient gradient(bar.left(), 0, bar.right() + 1, 0);
   for (int i = 0; i <= 32; ++i) gradient.setColorAt(i / 32.0, QColor(colourAt(map_, i / 32.0)));
   painter.fillRect(bar, gradient);
@@ -87,6 +95,23 @@ void ColourBar::paintEvent(QPaintEvent*) {
     painter.drawLine(x, bar.bottom() + 1, x, bar.bottom() + tickLength);
     painter.drawText(QRect(0, figuresTop, width(), line), sides[i] | Qt::AlignTop,
                      style::figure(low_ + share * (high_ - low_)));
+  }
+}
+
+// A field for each cascade, with its number below.
+void ColourBar::paintCascades(QPainter& painter, const QRect& bar) {
+  painter.setFont(style::figures(font()));
+  for (int i = 0; i < cascades_; ++i) {
+    const int left = i * bar.width() / cascades_, right = (i + 1) * bar.width() / cascades_;
+    const QRect field(left, bar.top(), right - left, bar.height());
+    const ViewColour& colour = cascadeColours[std::size_t(i)];
+    painter.fillRect(field, QColor::fromRgbF(colour[0], colour[1], colour[2]));
+    painter.setPen(style::border);
+    painter.drawRect(field.adjusted(0, 0, -1, -1));
+    painter.setPen(style::muted);
+    painter.drawText(
+        QRect(left, bar.bottom() + tickLength + 2, field.width(), fontMetrics().height()),
+        Qt::AlignHCenter | Qt::AlignTop, QString::number(i + 1));
   }
 }
 

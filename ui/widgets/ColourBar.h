@@ -16,9 +16,9 @@ class ColourBar : public QWidget {
 
   void setLabel(const QString& label);
   void setScale(ColourMap map, double low, double high, const QString& label);
-  // The bar of a view mode: visibility grey 0 … 1, error diverging −1 … +1, depth 0 … 1. Hides
-  // itself for modes whose colours are no scale.
-  void setViewMode(ViewMode mode);
+  // The bar of a view mode: visibility grey 0 … 1, error diverging −1 … +1, depth 0 … 1,
+  // one field for each of the cascades. Hides itself for modes whose colours are no scale.
+  void setViewMode(ViewMode mode, int cascades = 1);
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -27,6 +27,9 @@ class ColourBar : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  void paintCascades(QPainter& painter, const QRect& bar);
+
+  int cascades_ = 0;  // of their fields; 0 shows a scale
   ColourMap map_ = ColourMap::Grey;
   double low_ = 0.0, high_ = 1.0;
   QString label_;

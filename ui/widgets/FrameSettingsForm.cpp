@@ -2,62 +2,30 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
-#include <QStandardItemModel>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "ui/widgets/Controls.h"
+#include "ui/widgets/FormRows.h"
 #include "ui/widgets/Style.h"
 
 namespace umbra {
 
 struct FrameSettingsForm::Controls {
   QComboBox *kernel, *read, *size, *format;
-  NumberControl *radius, *constant, *slope;
-  RealBox* sigma;
-  QWidget* sigmaRow;
-  QCheckBox *receiverPlane, *cullFront;
+  QComboBox *anisotropy, *satSize, *satPrecision, *samples, *cascades;
+  NumberControl *radius, *constant, *slope, *lambda, *seam;
+  RealBox *sigma, *satDistance;
+  QWidget *sigmaRow, *anisotropyRow, *satSizeRow, *satDistanceRow, *satPrecisionRow;
+  QWidget *lambdaRow, *seamRow;
+  QLabel* samplesNotice;
+  QCheckBox *receiverPlane, *cullFront, *frozen;
   QLabel* gpu;
 };
 
 namespace {
-
-// A label at the left, the editor at the right end.
-QWidget* row(QVBoxLayout* body, const QString& text, QWidget* editor, const QString& toolTip) {
-  auto* holder = new QWidget;
-  auto* line = new QHBoxLayout(holder);
-  line->setContentsMargins(0, 0, 0, 0);
-  auto* label = new QLabel(text);
-  label->setMinimumWidth(0);
-  line->addWidget(label, 1);
-  line->addWidget(editor);
-  holder->setToolTip(toolTip);
-  body->addWidget(holder);
-  return holder;
-}
-
-NumberControl* sliderRow(QVBoxLayout* body, QWidget* parent, const QString& text,
-                         const SliderScale& scale, const QString& unit, const QString& toolTip) {
-  auto* control = new NumberControl(scale, unit, parent);
-  row(body, text, control->box(), toolTip);
-  control->slider()->setToolTip(toolTip);
-  body->addWidget(control->slider());
-  return control;
-}
-
-QComboBox* choices(std::initializer_list<std::pair<QString, int>> items) {
-  auto* box = new QComboBox;
-  for (const auto& [text, value] : items) box->addItem(text, value);
-  ignoreWheelWithoutFocus(box);
-  return box;
-}
-
-void select(QComboBox* box, int value, const QString& textWhereAbsent) {
-  if (box->findData(value) < 0) box->addItem(textWhereAbsent, value);
-  box->setCurrentIndex(box->findData(value));
-}
 
 QString squared(int size) {
   return QString::number(size) + QChar(0xb2);
@@ -80,18 +48,8 @@ FrameSettingsForm::FrameSettingsForm(QWidget* parent)
   c.sigma->setFixedWidth(c.radius->box()->width());
   c.sigmaRow = row(body(), tr("Gaussian σ"), c.sigma,
                    tr("Standard deviation in texels; 0 is automatic: half the radius"));
-  c.read =
-      choices({{tr("Point"), int(ReadFilter::Point)}, {tr("Bilinear"), int(ReadFilter::Bilinear)}});
-  row(body(), tr("Read"), c.read, tr("How the shaded frame reads the prefiltered channels"));
-  c.size = choices({});
-  for (int size = 128; size <= 4096; size *= 2) c.size->addItem(squared(size), size);
-  row(body(), tr("Map"), c.size, tr("Texels of the shadow map"));
-  c.format = choices({});
-  // What textures on the GPU take.
-  for (StorageFormat format :
-       {StorageFormat::Unorm8, StorageFormat::Unorm16, StorageFormat::Half, StorageFormat::Float})
-    c.format->addItem(style::text(nameOf(format)), int(format));
-  row(body(), tr("Storage"), c.format, tr("How a channel is stored per texel"));
+  makeRead();
+  makeMap();
 
   c.constant =
       sliderRow(body(), this, tr("Constant bias"), {0.0, 0.05}, QString(),
@@ -121,6 +79,75 @@ FrameSettingsForm::FrameSettingsForm(QWidget* parent)
 
 FrameSettingsForm::~FrameSettingsForm() = default;
 
+void FrameSettingsForm::makeRead() {
+  Controls& c = *controls_;
+  c.read = choices({{tr("Point"), int(ReadFilter::Point)},
+                    {tr("Bilinear"), int(ReadFilter::Bilinear)},
+                    {tr("Trilinear"), int(ReadFilter::Trilinear)},
+                    {tr("Anisotropic"), int(ReadFilter::Anisotropic)},
+                    {tr("Summed area"), int(ReadFilter::SummedArea)}});
+  row(body(), tr("Read"), c.read, tr("How the shaded frame reads the prefiltered channels"));
+  c.anisotropy = choices({});
+  for (int most = 1; most <= ReadSettings::largestAnisotropy; most *= 2)
+    c.anisotropy->addItem(QString::fromUtf8("×%1").arg(most), most);
+  ignoreWheelWithoutFocus(c.anisotropy);
+  c.anisotropyRow = row(body(), tr("Anisotropy"), c.anisotropy,
+                        tr("Reads along the longer axis of what a pixel covers, at most"));
+  c.satSize = choices({{tr("Footprint"), int(SatSize::Footprint)},
+                       {tr("Distance"), int(SatSize::Distance)},
+                       {tr("Fixed"), int(SatSize::Fixed)}});
+  c.satSizeRow =
+      row(body(), tr("Box"), c.satSize,
+          tr("What the summed area covers: what the pixel covers of the map; the "
+             "kernel, wider near the camera; or the kernel. Never less than the kernel"));
+  c.satDistance = new RealBox;
+  c.satDistance->setScale({0.0, 100.0});  // what the arrow keys step over
+  c.satDistance->setMaximum(ReadSettings::largestSatDistance);
+  c.satDistance->setSpecialValueText(tr("auto"));
+  c.satDistance->setFixedWidth(c.radius->box()->width());
+  c.satDistanceRow = row(body(), tr("Box distance"), c.satDistance,
+                         tr("From the camera, where the box is as wide as the kernel, in world "
+                            "units; 0 is automatic: as far as the lit scene is wide"));
+  c.satPrecision = choices({{tr("Centred float"), int(SatPrecision::Centred)},
+                            {tr("Integer"), int(SatPrecision::Integer)},
+                            {tr("Plain float"), int(SatPrecision::Plain)}});
+  c.satPrecisionRow = row(body(), tr("Sums"), c.satPrecision,
+                          tr("What the table adds up; plain floats lose digits as the map grows"));
+}
+
+void FrameSettingsForm::makeMap() {
+  Controls& c = *controls_;
+  c.size = choices({});
+  for (int size = 128; size <= 4096; size *= 2) c.size->addItem(squared(size), size);
+  row(body(), tr("Map"), c.size, tr("Texels of the shadow map"));
+  c.format = choices({});
+  // What textures on the GPU take.
+  for (StorageFormat format :
+       {StorageFormat::Unorm8, StorageFormat::Unorm16, StorageFormat::Half, StorageFormat::Float})
+    c.format->addItem(style::text(nameOf(format)), int(format));
+  row(body(), tr("Storage"), c.format, tr("How a channel is stored per texel"));
+  c.samples = choices({{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}});
+  row(body(), tr("Samples"), c.samples, tr("Depths a texel, whose channels are averaged (MSAA)"));
+  c.samplesNotice = new QLabel;
+  c.samplesNotice->setObjectName("samples notice");
+  c.samplesNotice->setWordWrap(true);
+  c.samplesNotice->setMinimumWidth(0);
+  c.samplesNotice->hide();
+  body()->addWidget(c.samplesNotice);
+  c.cascades = choices({{"1", 1}, {"2", 2}, {"3", 3}, {"4", 4}});
+  row(body(), tr("Cascades"), c.cascades,
+      tr("Parts of the view along its depth, each with a map of its own"));
+  c.lambda = new NumberControl({0.0, 1.0}, QString(), this);
+  c.lambdaRow =
+      sliderGroup(body(), tr("Split λ"), c.lambda, tr("0 cuts the view evenly, 1 logarithmically"));
+  c.seam = new NumberControl({0.0, CascadeSettings::largestSeam}, QString(), this);
+  c.seamRow = sliderGroup(body(), tr("Seam"), c.seam,
+                          tr("The last part of a cascade that goes over into the next"));
+  c.frozen = new QCheckBox(tr("Freeze cascades"));
+  c.frozen->setToolTip(tr("They stay where the camera is now, so that one can look at them"));
+  body()->addWidget(c.frozen);
+}
+
 void FrameSettingsForm::connectControls() {
   Controls& c = *controls_;
   // Called as soon as a person has chosen; every control writes its own member only, so that what
@@ -135,6 +162,12 @@ void FrameSettingsForm::connectControls() {
   chosen(c.kernel, "kernel", [](FrameSettings& s, int v) { s.kernel.shape = KernelShape(v); });
   chosen(c.read, "read", [](FrameSettings& s, int v) { s.read.filter = ReadFilter(v); });
   chosen(c.size, "map size", [](FrameSettings& s, int v) { s.map.size = v; });
+  chosen(c.anisotropy, "anisotropy", [](FrameSettings& s, int v) { s.read.anisotropy = v; });
+  chosen(c.satSize, "box size", [](FrameSettings& s, int v) { s.read.satSize = SatSize(v); });
+  chosen(c.satPrecision, "table precision",
+         [](FrameSettings& s, int v) { s.read.satPrecision = SatPrecision(v); });
+  chosen(c.samples, "samples", [](FrameSettings& s, int v) { s.map.samples = v; });
+  chosen(c.cascades, "cascades", [](FrameSettings& s, int v) { s.map.cascades.count = v; });
   chosen(c.format, "format", [](FrameSettings& s, int v) { s.map.format = StorageFormat(v); });
 
   const auto slid = [this](NumberControl* control, const QString& what, auto write) {
@@ -145,6 +178,9 @@ void FrameSettingsForm::connectControls() {
     connect(control, &NumberControl::finished, this, [this, what] { emit editingFinished(what); });
   };
   slid(c.radius, "radius", [](FrameSettings& s, double v) { s.kernel.radius = int(v); });
+  slid(c.lambda, "split lambda",
+       [](FrameSettings& s, double v) { s.map.cascades.splitLambda = v; });
+  slid(c.seam, "cascade seam", [](FrameSettings& s, double v) { s.map.cascades.seam = v; });
   slid(c.constant, "constant bias", [](FrameSettings& s, double v) { s.bias.constant = v; });
   slid(c.slope, "slope bias", [](FrameSettings& s, double v) { s.bias.slope = v; });
 
@@ -154,6 +190,19 @@ void FrameSettingsForm::connectControls() {
   });
   connect(c.sigma, &QDoubleSpinBox::editingFinished, this,
           [this] { emit editingFinished("sigma"); });
+
+  connect(c.satDistance, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
+          [this](double v) {
+            shown_.read.satDistance = v;
+            change("box distance");
+          });
+  connect(c.satDistance, &QDoubleSpinBox::editingFinished, this,
+          [this] { emit editingFinished("box distance"); });
+  connect(c.frozen, &QCheckBox::clicked, this, [this](bool on) {
+    shown_.map.cascades.frozen = on ? std::optional(camera_) : std::nullopt;
+    change("frozen cascades");
+    emit editingFinished("frozen cascades");
+  });
 
   const auto ticked = [this](QCheckBox* box, const QString& what, bool Bias::*member) {
     connect(box, &QCheckBox::clicked, this, [this, what, member](bool on) {
@@ -178,9 +227,9 @@ FrameSettings FrameSettingsForm::settings() const {
 void FrameSettingsForm::showSettings() {
   Controls& c = *controls_;
   select(c.kernel, int(shown_.kernel.shape), {});
-  select(c.read, int(shown_.read.filter), {});
-  select(c.size, shown_.map.size, squared(shown_.map.size));
-  select(c.format, int(shown_.map.format), style::text(nameOf(shown_.map.format)));
+  showRead();
+  showMap();
+  showObstacles();
   c.radius->setValue(shown_.kernel.radius);
   c.constant->setValue(shown_.bias.constant);
   c.slope->setValue(shown_.bias.slope);
@@ -198,19 +247,75 @@ void FrameSettingsForm::showSettings() {
   c.cullFront->setChecked(shown_.bias.cullFrontFaces);
 }
 
+void FrameSettingsForm::showRead() {
+  Controls& c = *controls_;
+  const ReadSettings& read = shown_.read;
+  select(c.read, int(read.filter), {});
+  select(c.anisotropy, read.anisotropy, QString::fromUtf8("×%1").arg(read.anisotropy));
+  select(c.satSize, int(read.satSize), {});
+  select(c.satPrecision, int(read.satPrecision), {});
+  const QSignalBlocker quiet(c.satDistance);
+  if (c.satDistance->value() != read.satDistance) c.satDistance->setValue(read.satDistance);
+  const bool table = read.filter == ReadFilter::SummedArea;
+  c.anisotropyRow->setVisible(read.filter == ReadFilter::Anisotropic);
+  c.satSizeRow->setVisible(table);
+  c.satDistanceRow->setVisible(table && read.satSize == SatSize::Distance);
+  c.satPrecisionRow->setVisible(table);
+}
+
+void FrameSettingsForm::showMap() {
+  Controls& c = *controls_;
+  const CascadeSettings& cascades = shown_.map.cascades;
+  select(c.size, shown_.map.size, squared(shown_.map.size));
+  select(c.format, int(shown_.map.format), style::text(nameOf(shown_.map.format)));
+  select(c.samples, shown_.map.samples, QString::number(shown_.map.samples));
+  select(c.cascades, cascades.count, QString::number(cascades.count));
+  c.lambda->setValue(cascades.splitLambda);
+  c.seam->setValue(cascades.seam);
+  c.frozen->setChecked(cascades.frozen.has_value());
+  for (QWidget* widget : {c.lambdaRow, c.seamRow, static_cast<QWidget*>(c.frozen)})
+    widget->setVisible(cascades.count > 1);
+  const bool fewer = givenSamples_ > 0 && givenSamples_ < shown_.map.samples;
+  c.samplesNotice->setText(tr("The driver gives %1").arg(givenSamples_));
+  c.samplesNotice->setVisible(fewer);
+}
+
+// A choice is greyed out for what it alone brings: not for what is impossible already.
+void FrameSettingsForm::showObstacles() {
+  if (!obstacle_) return;
+  Controls& c = *controls_;
+  const QString present = obstacle_(shown_);
+  const auto refuse = [&](QComboBox* box, auto write) {
+    refuseItems(box, [&](int value) {
+      FrameSettings changed = shown_;
+      write(changed, value);
+      const QString reason = obstacle_(changed);
+      return reason == present ? QString() : reason;
+    });
+  };
+  refuse(c.kernel, [](FrameSettings& s, int v) { s.kernel.shape = KernelShape(v); });
+  refuse(c.read, [](FrameSettings& s, int v) { s.read.filter = ReadFilter(v); });
+  refuse(c.format, [](FrameSettings& s, int v) { s.map.format = StorageFormat(v); });
+  refuse(c.satPrecision, [](FrameSettings& s, int v) { s.read.satPrecision = SatPrecision(v); });
+}
+
 void FrameSettingsForm::change(const QString& what) {
   showSettings();
   emit settingsChanged(shown_, what);
 }
 
-void FrameSettingsForm::setFormatRefusals(const std::map<StorageFormat, QString>& reasons) {
-  auto* items = qobject_cast<QStandardItemModel*>(controls_->format->model());
-  for (int row = 0; row < items->rowCount(); ++row) {
-    QStandardItem* item = items->item(row);
-    const auto found = reasons.find(StorageFormat(item->data(Qt::UserRole).toInt()));
-    item->setEnabled(found == reasons.end());
-    item->setToolTip(found == reasons.end() ? QString() : found->second);
-  }
+void FrameSettingsForm::setObstacle(std::function<QString(const FrameSettings&)> obstacle) {
+  obstacle_ = std::move(obstacle);
+  showObstacles();
+}
+
+void FrameSettingsForm::setCamera(const Camera& camera) {
+  camera_ = camera;
+}
+
+void FrameSettingsForm::setGivenSamples(int samples) {
+  givenSamples_ = samples;
+  showMap();
 }
 
 void FrameSettingsForm::setGpuText(const QString& text) {

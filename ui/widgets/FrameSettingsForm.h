@@ -1,8 +1,8 @@
-// "Filter and map": prefilter, read, map size, storage format and bias.
+// "Filter and map": prefilter, read, map, cascades and bias. Rows that do nothing are hidden.
 #pragma once
 
 #include <QMetaType>
-#include <map>
+#include <functional>
 #include <memory>
 
 #include "filters/core/FrameSettings.h"
@@ -21,26 +21,39 @@ class FrameSettingsForm : public Card {
   void setSettings(const FrameSettings& settings);
   FrameSettings settings() const;
 
-  // Greys out the formats that cannot be chosen; each with its reason, as a tool tip.
-  void setFormatRefusals(const std::map<StorageFormat, QString>& reasons);
+  // Why settings cannot be drawn, empty where they can: choices that would end there are greyed
+  // out, with the reason as a tool tip.
+  void setObstacle(std::function<QString(const FrameSettings&)> obstacle);
+  void setCamera(const Camera& camera);  // where cascades are frozen
+  // Samples a texel that the last frame had; a notice where it is fewer than are set. 0: unknown.
+  void setGivenSamples(int samples);
   // A line at the end, such as "bake 3.1 · blur 1.4 · shade 6.0 ms"; empty hides it.
   void setGpuText(const QString& text);
 
  signals:
   // All settings, one of which changed; `whatChanged` names it for undo: "kernel", "radius",
-  // "sigma", "read", "map size", "format", "constant bias", "slope bias", "receiver plane",
-  // "front-face culling". Emitted while a slider moves.
+  // "sigma", "read", "anisotropy", "box size", "box distance", "table precision", "map size",
+  // "format", "samples", "cascades", "split lambda", "cascade seam", "frozen cascades", "constant
+  // bias", "slope bias", "receiver plane", "front-face culling". Emitted while a slider moves.
   void settingsChanged(const umbra::FrameSettings& settings, const QString& whatChanged);
   // A slider was let go or a box was left: the next change is a new step for undo.
   void editingFinished(const QString& what);
 
  private:
   struct Controls;
+  void makeRead();
+  void makeMap();
   void connectControls();
   void showSettings();  // the settings into the controls
+  void showRead();
+  void showMap();
+  void showObstacles();
   void change(const QString& what);
 
   FrameSettings shown_;
+  std::function<QString(const FrameSettings&)> obstacle_;
+  Camera camera_;
+  int givenSamples_ = 0;
   std::unique_ptr<Controls> controls_;
 };
 

@@ -90,7 +90,7 @@ void ShadowMapView::setImage(Image<float> values, int channel) {
 void ShadowMapView::setImage(const DepthMap& depth) {
   Image<float> values(depth.width(), depth.height());
   for (std::size_t i = 0; i < values.values().size(); ++i)
-    values.values()[i] = float(depth.values()[i]);
+    values.values()[i] = float(depth.values()[i * std::size_t(depth.channels())]);
   setImage(std::move(values));
 }
 
