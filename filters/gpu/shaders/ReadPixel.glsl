@@ -80,14 +80,15 @@ float umbraVisibilityAt(vec4 surface, vec4 footprint) {
 
 // The same of exact percentage-closer filtering.
 float umbraReferenceAt(vec4 surface, vec4 footprint) {
-  umbraSetRead(surface.xy, footprint, int(footprint.w));
-  float reference = umbraPercentageCloser(abs(surface.z));
 #if UMBRA_CASCADES > 1
-  float next = fract(footprint.w);
-  if (next > 0.0) {
-    umbraSetRead(surface.xy, footprint, int(footprint.w) + 1);
-    reference = mix(reference, umbraPercentageCloser(abs(surface.z)), next);
+  float reference = 0.0, next = fract(footprint.w);
+  for (int part = 0; part < (next > 0.0 ? 2 : 1); ++part) {
+    umbraSetRead(surface.xy, footprint, int(footprint.w) + part);
+    reference += umbraPercentageCloser(abs(surface.z)) * (part == 0 ? 1.0 - next : next);
   }
+#else
+  umbraSetRead(surface.xy, footprint, 0);
+  float reference = umbraPercentageCloser(abs(surface.z));
 #endif
   return reference;
 }

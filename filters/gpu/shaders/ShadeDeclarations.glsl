@@ -45,16 +45,18 @@ bool umbraHolds(int cascade, vec2 whole) {
 // window does not hold is left to the next.
 vec2 umbraCascadeOf(vec2 whole, float distance) {
   const int last = UMBRA_CASCADES - 1;
-  int cascade = 0;
-  while (cascade < last && distance >= umbraCascadeEnds[cascade]) ++cascade;
-  float next = 0.0;
-  if (cascade < last && umbraHolds(cascade, whole) && umbraHolds(cascade + 1, whole)) {
-    float begin = umbraCascadeSeams[cascade], seam = umbraCascadeEnds[cascade] - begin;
+  float cascade = 0.0, next = 0.0;
+  bool found = false;
+  for (int i = 0; i < last; ++i) {  // unrolled: nothing is indexed by what differs among pixels
+    bool own = distance < umbraCascadeEnds[i] && umbraHolds(i, whole) && !found;
+    float begin = umbraCascadeSeams[i], seam = umbraCascadeEnds[i] - begin;
     // Less than 1 by so much that the sum with the cascade's number still is no whole one.
-    next = clamp((distance - begin) / max(seam, 1e-20), 0.0, 0.999999);
+    float weight = clamp((distance - begin) / max(seam, 1e-20), 0.0, 0.999999);
+    if (own && umbraHolds(i + 1, whole)) next = weight;
+    found = found || own;
+    cascade += found ? 0.0 : 1.0;
   }
-  while (cascade < last && !umbraHolds(cascade, whole)) ++cascade;
-  return vec2(float(cascade), next);
+  return vec2(cascade, next);
 }
 #endif
 
