@@ -12,6 +12,7 @@
 #include <vtkRenderState.h>
 #include <vtkRenderer.h>
 
+#include <string_view>
 #include <utility>
 
 #include "FullScreen_vert_glsl.h"
@@ -53,6 +54,12 @@ int viewNumber(ViewMode view, const Technique& technique) {
 bool sameFrame(const LightFrame& a, const LightFrame& b) {
   return a.kind == b.kind && a.worldToLight == b.worldToLight && a.lightToClip == b.lightToClip &&
          a.nearDistance == b.nearDistance && a.farDistance == b.farDistance;
+}
+
+// Mesa's software renderer starts a compute shader while what was drawn before is still in work.
+bool drawsInSoftware() {
+  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  return name && std::string_view(name).find("llvmpipe") != std::string_view::npos;
 }
 
 // A summed-area table averages the kernel's box by itself.
@@ -250,8 +257,7 @@ void vtkUmbraFramePass::BakeDepth(const vtkRenderState* state) {
   const gl::PassTimer::Scope time(this->Timer, "depth");
   this->Drawn.resize(count);
   for (std::size_t i : stale) this->DrawDepth(state, i);
-  // Mesa's software renderer starts compute shaders before what was drawn last is finished.
-  glFlush();
+  if (drawsInSoftware()) glFinish();
   this->MakeStale(Stage::Encode);
 }
 

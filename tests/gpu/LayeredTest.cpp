@@ -130,6 +130,31 @@ TEST_F(Layered, AFrameHasTheReferencesSplits) {
   EXPECT_TRUE(renderer->adaptedSplits().empty());
 }
 
+// What is encoded, and what splits are found from, is the depth that the same frame has drawn.
+TEST_F(Layered, AFrameWhoseLightMovedUsesItsOwnDepths) {
+  settings.map.size = 128;
+  show(slabAndBall(), "hard");
+  technique = lvsmOf(3, "lloyd");
+  renderer->setTechnique(*technique);
+  Light light = slabAndBall()->light;
+  for (int frame = 0; frame < 4; ++frame) {
+    light.position.x() += 0.5;
+    renderer->setLight(light);
+    renderer->render();
+    EXPECT_EQ(passes(), "depth splits encode prefilter shade view");
+    const DepthMap map = renderer->depthMap();
+    const LloydResult all = relax(secondOccluderSamples(map), {.splits = 2});
+    const std::vector<double> splits = renderer->adaptedSplits();
+    for (int k = 0; k < 2; ++k)
+      ASSERT_NEAR(splits[k], all.splits[k], 2.0 * 272 * unitRoundoff(StorageFormat::Double));
+    technique->setAdaptedSplits(splits);
+    const Image<float> channels = renderer->channels(BakeStage::Encoded);
+    const Image<double> exact = encodeMap(map, *technique, StorageFormat::Double);
+    for (std::size_t i = 0; i < exact.values().size(); ++i)
+      ASSERT_NEAR(channels.values()[i], exact.values()[i], 8.0 * eps / 0.01);
+  }
+}
+
 // In a window they come to rest over frames, and the copy that is given the frame's splits encodes
 // as the frame does all the while.
 TEST_F(Layered, InAWindowSplitsMoveFromFrameToFrame) {
