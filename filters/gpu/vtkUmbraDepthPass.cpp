@@ -16,6 +16,7 @@
 #include "Depth_frag_glsl.h"
 #include "Depth_vert_glsl.h"
 #include "filters/gpu/LightUniforms.h"
+#include "filters/gpu/gl/DrawOrder.h"
 
 namespace umbra {
 namespace {
@@ -102,6 +103,7 @@ void vtkUmbraDepthPass::Render(const vtkRenderState* state) {
   gl->vtkglEnable(GL_MULTISAMPLE);
   this->PrepareFramebuffer();
   this->DrawCaster(renderer, gl);
+  umbra::gl::finishDraws();
   if (this->Samples > 1) {
     // VTK remembers which program it bound last.
     window->GetShaderCache()->ReleaseCurrentShader();
@@ -135,8 +137,6 @@ void vtkUmbraDepthPass::CopySamples() {
   const GLuint program = this->Programs.compute("depth samples", DepthSamples_comp_glsl);
   gl::setUniform(program, "umbraSamples", 0);
   gl::setUniform(program, "umbraFirstLayer", this->FirstLayer);
-  // Mesa's software renderer starts compute shaders before what was drawn last is finished.
-  glFlush();
   glUseProgram(program);
   glBindTextureUnit(0, this->SampleDepths.name());
   glBindImageTexture(0, this->Target->name(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_R32F);

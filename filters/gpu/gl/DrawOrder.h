@@ -1,0 +1,17 @@
+// What Mesa's software renderer does not keep in order.
+#pragma once
+
+#include <vtk_glew.h>
+
+#include <string_view>
+
+namespace umbra::gl {
+
+// To be called between draws and a compute shader that reads what they drew: llvmpipe starts the
+// latter while the former are still in work. Elsewhere it does nothing.
+inline void finishDraws() {
+  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  if (name && std::string_view(name).find("llvmpipe") != std::string_view::npos) glFinish();
+}
+
+}  // namespace umbra::gl
