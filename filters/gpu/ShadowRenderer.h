@@ -37,7 +37,8 @@ struct SurfacePoint {
 
 // GPU time of one pass of the last frame; passes that had nothing to do are absent.
 struct PassTime {
-  std::string pass;  // "depth", "splits", "encode", "prefilter", "levels", "shade", "view"
+  std::string pass;  // "depth", "splits", "encode", "prefilter", "levels", "sums", "shade",
+                     // "view"
   double milliseconds = 0.0;
 };
 

@@ -12,7 +12,6 @@
 #include <vtkRenderState.h>
 #include <vtkRenderer.h>
 
-#include <string_view>
 #include <utility>
 
 #include "FullScreen_vert_glsl.h"
@@ -54,12 +53,6 @@ int viewNumber(ViewMode view, const Technique& technique) {
 bool sameFrame(const LightFrame& a, const LightFrame& b) {
   return a.kind == b.kind && a.worldToLight == b.worldToLight && a.lightToClip == b.lightToClip &&
          a.nearDistance == b.nearDistance && a.farDistance == b.farDistance;
-}
-
-// Mesa's software renderer starts a compute shader while what was drawn before is still in work.
-bool drawsInSoftware() {
-  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  return name && std::string_view(name).find("llvmpipe") != std::string_view::npos;
 }
 
 // A summed-area table averages the kernel's box by itself.
@@ -257,7 +250,6 @@ void vtkUmbraFramePass::BakeDepth(const vtkRenderState* state) {
   const gl::PassTimer::Scope time(this->Timer, "depth");
   this->Drawn.resize(count);
   for (std::size_t i : stale) this->DrawDepth(state, i);
-  if (drawsInSoftware()) glFinish();
   this->MakeStale(Stage::Encode);
 }
 
