@@ -1,5 +1,6 @@
 #include "app/ProbeFiles.h"
 
+#include "analysis/Explain.h"
 #include "analysis/ProbePlots.h"
 #include "app/PlotFiles.h"
 #include "app/Table.h"
@@ -39,6 +40,14 @@ std::string probeText(const Probe& probe) {
   }
   if (gpu) rows.front().push_back("GPU");
   return text + tableText(rows);
+}
+
+std::string tracesText(const Probe& probe) {
+  std::string text;
+  for (const TechniqueResult& result : probe.techniques)
+    text +=
+        "\n" + std::string(result.technique->info().id) + "\n" + traceText(explain(probe, result));
+  return text;
 }
 
 }  // namespace umbra

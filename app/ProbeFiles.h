@@ -16,5 +16,7 @@ void writeProbe(OutputFolder& folder, Display& display, const Probe& probe, cons
 
 // For people: the region, its statistics and a row for every technique.
 std::string probeText(const Probe& probe);
+// Every technique's steps, and what goes wrong.
+std::string tracesText(const Probe& probe);
 
 }  // namespace umbra

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "analysis/Explain.h"
+
 namespace umbra {
 namespace {
 
@@ -51,6 +53,23 @@ Json techniquesToJson(const Probe& probe) {
   return rows;
 }
 
+Json traceToJson(const Trace& trace) {
+  Json steps = Json::array(), shares = Json::array();
+  for (const TraceStep& step : trace.steps)
+    steps.push_back({{"symbol", step.symbol},
+                     {"meaning", step.meaning},
+                     {"formula", step.formula},
+                     {"value", finiteOrNull(step.value)}});
+  for (const ErrorShare& share : trace.shares)
+    shares.push_back(
+        {{"cause", nameOf(share.cause)}, {"step", share.step}, {"amount", share.amount}});
+  return {{"steps", steps},
+          {"cause", nameOf(trace.cause)},
+          {"step", trace.culprit ? Json(*trace.culprit) : Json(nullptr)},
+          {"sentence", trace.sentence},
+          {"shares", shares}};
+}
+
 Json curvesToJson(const Probe& probe, int samples) {
   const Curves curves = curvesOf(probe, samples);
   Json object = {{"depth", curves.depth}, {"reference", curves.reference}};
@@ -85,6 +104,11 @@ Json probeToJson(const Probe& probe, const DepthMap& map, const ProbeReport& rep
                  {"histogram", {{"edges", histogram.edges}, {"weights", histogram.weights}}}};
   if (report.samples > 0) object["curves"] = curvesToJson(probe, report.samples);
   return object;
+}
+
+void addTraces(Json& object, const Probe& probe) {
+  for (std::size_t i = 0; i < probe.techniques.size(); ++i)
+    object["techniques"][i]["trace"] = traceToJson(explain(probe, probe.techniques[i]));
 }
 
 Json compareToJson(const std::vector<MetricsRow>& rows) {

@@ -31,6 +31,11 @@ struct ProbeReport {
 // reduction is the largest on receivers at the region's own depths.
 Json probeToJson(const Probe& probe, const DepthMap& map, const ProbeReport& report);
 
+// Adds to each technique of probeToJson its "trace": {"steps": [{"symbol", "meaning", "formula",
+// "value"}], "cause", "step", "sentence", "shares": [{"cause", "step", "amount"}]}. Steps count from
+// 0; that of no cause is null. The shares sum to the error, in a seam that of the heavier part.
+void addTraces(Json& object, const Probe& probe);
+
 struct MetricsRow {
   std::string technique;
   Metrics metrics;

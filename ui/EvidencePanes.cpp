@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <exception>
 
+#include "analysis/Explain.h"
 #include "analysis/ProbePlots.h"
 #include "ui/Prober.h"
 #include "ui/SceneView.h"
@@ -13,6 +14,7 @@
 #include "ui/widgets/RegionTable.h"
 #include "ui/widgets/ShadowMapView.h"
 #include "ui/widgets/Style.h"
+#include "ui/widgets/TracePane.h"
 
 namespace umbra {
 namespace {
@@ -33,7 +35,8 @@ EvidencePanes::EvidencePanes(SessionController& controller, SceneView& view, Pro
       cdf_(new PlotPane),
       histogram_(new PlotPane),
       lastPlot_(curves_),
-      table_(new ProbeTable) {
+      table_(new ProbeTable),
+      trace_(new TracePane) {
   connect(&prober_, &Prober::reported, this, &EvidencePanes::refreshProbe);
   connect(&view_, &SceneView::frameDrawn, this, &EvidencePanes::refreshMap);
   connect(map_, &ShadowMapView::channelChosen, this, &EvidencePanes::showChannel);
@@ -72,6 +75,7 @@ void EvidencePanes::showHints() {
   cdf_->setTitle(tr("Distribution of the region's depths"));
   histogram_->setTitle(tr("Depths in the region"));
   table_->clear();
+  trace_->clear();
   region_->clear();
   map_->clearRegion();
   regionShown_ = false;
@@ -89,6 +93,10 @@ void EvidencePanes::refreshProbe() {
   cdf_->setPlot(cdfPlot(probe));
   histogram_->setPlot(histogramPlot(probe));
   table_->setProbe(probe, style::text(technique));
+  if (const TechniqueResult* result = resultOf(probe, technique))
+    trace_->setTrace(style::text(result->technique->info().title), explain(probe, *result));
+  else
+    trace_->clear(tr("The technique cannot be evaluated with these settings."));
   region_->setProbe(probe);
   if (report->cascade != shownCascade_) refreshMap();
   map_->setRegion(ownRegion(probe));

@@ -16,6 +16,7 @@ class RegionTable;
 class SceneView;
 class SessionController;
 class ShadowMapView;
+class TracePane;
 
 // Makes the panes and keeps them in step with probe and session. The window puts them into docks,
 // which then own them.
@@ -32,6 +33,7 @@ class EvidencePanes : public QObject {
   PlotPane& cdf() { return *cdf_; }
   PlotPane& histogram() { return *histogram_; }
   ProbeTable& table() { return *table_; }
+  TracePane& trace() { return *trace_; }
   // All plots; and the one under the pointer or last used, the curves before that.
   std::vector<PlotPane*> plots() { return {curves_, cdf_, histogram_}; }
   PlotPane& currentPlot();
@@ -61,6 +63,7 @@ class EvidencePanes : public QObject {
   PlotPane *curves_, *cdf_, *histogram_;
   PlotPane* lastPlot_;
   ProbeTable* table_;
+  TracePane* trace_;
   QString shownMap_;  // says which map and channel are shown, to read back only what changed
   int shownCascade_ = 0;
   bool regionShown_ = false;

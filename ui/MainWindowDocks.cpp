@@ -12,6 +12,7 @@
 #include "ui/widgets/ProbeTable.h"
 #include "ui/widgets/RegionTable.h"
 #include "ui/widgets/ShadowMapView.h"
+#include "ui/widgets/TracePane.h"
 
 namespace umbra {
 namespace {
@@ -48,6 +49,8 @@ void MainWindow::makeDocks() {
   // One above the other they would make the smallest window taller than a projector.
   tabifyDockWidget(docks_[3], docks_[4]);
   tabifyDockWidget(docks_[3], docks_[5]);
+  addDock(tr("Why is it lit?"), "traceDock", &evidence_->trace(), Qt::BottomDockWidgetArea);
+  tabifyDockWidget(docks_[1], docks_.back());
 }
 
 QDockWidget* MainWindow::addDock(const QString& title, const QString& name, QWidget* content,
@@ -69,7 +72,8 @@ void MainWindow::resetLayout() {
   const auto dockOf = [this](const char* name) { return findChild<QDockWidget*>(name); };
   QDockWidget *controls = dockOf("controlsDock"), *table = dockOf("tableDock"),
               *map = dockOf("mapDock"), *curves = dockOf("curvesDock"),
-              *histogram = dockOf("histogramDock"), *cdf = dockOf("cdfDock");
+              *histogram = dockOf("histogramDock"), *cdf = dockOf("cdfDock"),
+              *trace = dockOf("traceDock");
   for (QDockWidget* dock : docks_) dock->setFloating(false);
   for (QDockWidget* dock : docks_) removeDockWidget(dock);
   addDockWidget(Qt::LeftDockWidgetArea, controls);
@@ -82,8 +86,10 @@ void MainWindow::resetLayout() {
   else
     tabifyDockWidget(curves, histogram);
   tabifyDockWidget(histogram, cdf);
+  tabifyDockWidget(table, trace);
   for (QDockWidget* dock : docks_) dock->show();
   (tall ? histogram : curves)->raise();
+  table->raise();
 
   const int side = width() < 1500 ? 268 : 290, right = width() * 35 / 100;
   resizeDocks({controls, map}, {side, right}, Qt::Horizontal);

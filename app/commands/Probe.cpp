@@ -27,7 +27,7 @@ struct ProbeCommand {
 
   SessionOptions options;
   std::optional<std::string> texel, pixel, receiver, bins, samples, folder;
-  bool json = false;
+  bool json = false, trace = false;
   TechniqueCatalogue catalogue = allTechniques();
 };
 
@@ -45,6 +45,10 @@ ProbeCommand::ProbeCommand(CLI::App& command) {
   add("--samples", samples, "N", "Also every technique's curve at N depths from 0 to 1");
   add("-o,--output", folder, "DIR", "Write probe.json and the plots as PNG, SVG, PDF and CSV");
   command.add_flag("--json", json, "Print one JSON object")->group(group);
+  command
+      .add_flag("--trace", trace,
+                "Also how each technique comes to its visibility, and which step goes wrong")
+      ->group(group);
   options.addTo(command);
 }
 
@@ -105,8 +109,9 @@ void ProbeCommand::probeDepthMap(Session session) const {
     request.techniques.push_back(technique);
   }
   const Probe probe = takeProbe(request);
-  const Json object =
+  Json object =
       probeToJson(probe, map, {shortNameOf(session.source), binsOf(bins), samplesOf(samples)});
+  if (trace) addTraces(object, probe);
   finish(probe, object, session, nullptr);
 }
 
@@ -126,15 +131,16 @@ void ProbeCommand::probePixel(const Session& session) const {
   const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
   if (!place) place = worstBleeding(*frame, *suspectOf(chosen));
   const SceneProbe probe = probeScene(*frame, session, chosen, *place);
-  const Json object = sceneProbeToJson(probe, frame->depthMap(), name, session.frame.read.filter,
-                                       binsOf(bins), samplesOf(samples));
+  Json object = sceneProbeToJson(probe, frame->depthMap(), name, session.frame.read.filter,
+                                 binsOf(bins), samplesOf(samples));
+  if (trace) addTraces(object, probe.probe);
   finish(probe.probe, object, session, display.get());
 }
 
 void ProbeCommand::finish(const Probe& probe, const Json& object, const Session& session,
                           Display* display) const {
   if (json) return printJson(object);
-  if (!folder) return print(probeText(probe));
+  if (!folder) return print(probeText(probe) + (trace ? tracesText(probe) : std::string()));
   OutputFolder files(*folder);
   const std::unique_ptr<Display> own = display ? nullptr : loadDisplay();
   writeProbe(files, display ? *display : *own, probe, object, session.technique, binsOf(bins));
