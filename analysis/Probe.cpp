@@ -102,7 +102,11 @@ Probe takeProbe(const ProbeRequest& request) {
   probe.receiver = request.receiver;
   if (request.seam) probeSeam(request, probe);
   probe.statistics = statisticsOf(probe.region);
-  probe.reference = referenceVisibility(probe.region, probe.receiver);
+  // Mixed as a technique's visibilities are, so that percentage-closer filtering has no error.
+  probe.reference = probe.seam ? std::lerp(referenceVisibility(probe.seam->heavier, probe.receiver),
+                                           referenceVisibility(probe.seam->lighter, probe.receiver),
+                                           probe.seam->weight)
+                               : referenceVisibility(probe.region, probe.receiver);
   FrameSettings frame;
   frame.map.format = request.format;
   frame.kernel = request.kernel;

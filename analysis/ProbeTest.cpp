@@ -96,6 +96,8 @@ TEST(ProbeInASeam, MixesTheVisibilitiesOfBothCascades) {
     next.read = request.seam->read;
     const Probe other = takeProbe(next);
     EXPECT_NEAR(probe.reference, std::lerp(own.reference, other.reference, weight), 1e-14);
+    EXPECT_EQ(resultNamed(probe, "pcf").error, 0.0);
+    EXPECT_NEAR(probe.reference, referenceVisibility(probe.region, 0.55), 1e-14);
     const Curves curves = curvesOf(probe, 5), nearCurves = curvesOf(own, 5),
                  farCurves = curvesOf(other, 5);
     for (std::size_t i = 0; i < probe.techniques.size(); ++i) {

@@ -212,7 +212,8 @@ TEST(SceneReads, AllLeavesOutWhatATableOfSumsCannotServeAndSaysWhy) {
       {"compare", "--json", "--scene", "three-planes", "--technique", "all", "--filter", "sat"},
       small));
   std::set<std::string> names;
-  for (const Json& row : outcome.json()["techniques"]) names.insert(row["name"]);
+  const Json object = outcome.json();
+  for (const Json& row : object["techniques"]) names.insert(row["name"]);
   for (const char* id : {"hard", "pcf", "vsm", "esm", "msm"}) EXPECT_TRUE(names.count(id)) << id;
   for (const char* id : {"power-cdf", "layered-power-cdf"}) {
     EXPECT_FALSE(names.count(id)) << id;
