@@ -82,8 +82,9 @@ class Program {
     app_.footer(exitStatuses);
     app_.require_subcommand(0, 1);
     app_.formatter(std::make_shared<HelpLayout>());
-    commands_ = {addRender(app_),  addProbe(app_), addEncode(app_), addSplits(app_),
-                 addCompare(app_), addTour(app_),  addScenes(app_), addTechniques(app_)};
+    commands_ = {addRender(app_), addProbe(app_),      addEncode(app_),
+                 addSplits(app_), addCompare(app_),    addTour(app_),
+                 addScenes(app_), addTechniques(app_), addLesson(app_)};
     for (const Command& command : commands_) command.app->group("Commands");
   }
 

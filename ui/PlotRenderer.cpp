@@ -118,6 +118,10 @@ QImage plotImage(const Plot& plot, QSize size, double pixelRatio) {
   return image;
 }
 
+std::string plotSvg(const Plot& plot, QSize size) {
+  return svgOf(plot, size).toStdString();
+}
+
 void exportPlot(const Plot& plot, const fs::path& file, QSize size) {
   const std::string extension = file.extension().string();
   QByteArray content;

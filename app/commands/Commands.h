@@ -21,5 +21,6 @@ Command addCompare(CLI::App& program);
 Command addTour(CLI::App& program);
 Command addScenes(CLI::App& program);
 Command addTechniques(CLI::App& program);
+Command addLesson(CLI::App& program);
 
 }  // namespace umbra

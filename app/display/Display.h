@@ -56,6 +56,10 @@ class Display {
   // PNG of one picture as it is, or of several side by side, each under its label.
   virtual void writePictures(const std::vector<LabelledPicture>& pictures,
                              const std::filesystem::path& file) = 0;
+
+  // The same in memory, for documents that contain them.
+  virtual std::string svgOf(const Plot& plot) = 0;
+  virtual std::string pngOf(const Image<std::uint8_t>& picture) = 0;
 };
 
 // The one symbol of the library.

@@ -41,6 +41,15 @@ class QtVtkDisplay final : public Display {
     writePng(pictures, file);
   }
 
+  std::string svgOf(const Plot& plot) override {
+    startQt();
+    return plotSvg(plot);
+  }
+
+  std::string pngOf(const Image<std::uint8_t>& picture) override {
+    return umbra::pngOf(picture);
+  }
+
  private:
   // Text needs an application, which without a display is one that draws off screen.
   void startQt() {

@@ -49,17 +49,25 @@ QImage sheetOf(const std::vector<LabelledPicture>& pictures) {
   return sheet;
 }
 
+std::string encoded(const QImage& image) {
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  if (!image.save(&buffer, "PNG"))
+    throw Error(ErrorKind::WorkFailed, "a picture cannot be encoded as PNG");
+  return bytes.toStdString();
+}
+
 }  // namespace
 
 void writePng(const std::vector<LabelledPicture>& pictures, const std::filesystem::path& file) {
   const QImage image = pictures.size() == 1 ? wrapped(pictures.front().colour) : sheetOf(pictures);
   // Into memory first: an image writer on a full disk reports success.
-  QByteArray bytes;
-  QBuffer buffer(&bytes);
-  buffer.open(QIODevice::WriteOnly);
-  if (!image.save(&buffer, "PNG"))
-    throw Error(ErrorKind::WorkFailed, file.string() + ": the picture cannot be encoded as PNG");
-  writeTextAtomically(file, {bytes.constData(), std::size_t(bytes.size())});
+  writeTextAtomically(file, encoded(image));
+}
+
+std::string pngOf(const Image<std::uint8_t>& picture) {
+  return encoded(wrapped(picture));
 }
 
 }  // namespace umbra

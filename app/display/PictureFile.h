@@ -12,4 +12,7 @@ namespace umbra {
 // QApplication for several. Throws BadOutput; nothing half-written.
 void writePng(const std::vector<LabelledPicture>& pictures, const std::filesystem::path& file);
 
+// One picture as it is.
+std::string pngOf(const Image<std::uint8_t>& picture);
+
 }  // namespace umbra

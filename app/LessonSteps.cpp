@@ -1,0 +1,93 @@
+#include "app/LessonSteps.h"
+
+#include <algorithm>
+
+#include "analysis/BleedReduction.h"
+#include "analysis/Measure.h"
+#include "app/Cancellation.h"
+#include "app/SceneSources.h"
+#include "filters/core/Error.h"
+
+namespace umbra {
+namespace {
+
+// The techniques whose whole frame is measured at `step`.
+std::vector<std::string> framesOf(const Lesson& lesson, std::size_t step) {
+  std::vector<std::string> ids;
+  const auto add = [&](const LessonQuantity& quantity) {
+    if (quantity.step == step && infoOf(quantity.quantity).ofFrame &&
+        std::find(ids.begin(), ids.end(), quantity.technique) == ids.end())
+      ids.push_back(quantity.technique);
+  };
+  for (const LessonStep& one : lesson.steps)
+    for (const LessonClaim& claim : one.claims) {
+      add(claim.left);
+      if (claim.right) add(*claim.right);
+    }
+  return ids;
+}
+
+Metrics metricsOf(HeadlessFrame& frame, const Technique& technique) {
+  frame.render(technique, ViewMode::Shaded);
+  MetricsSum sum;
+  for (const BoundSample& sample : boundSamplesOf(frame.surfaces(), frame.reference()))
+    sum.add(sample.bound, sample.reference);
+  return sum.result();
+}
+
+StepResult measure(Display& display, const Lesson& lesson, std::size_t step) {
+  const Session& session = lesson.steps[step].session;
+  const TechniqueCatalogue catalogue = allTechniques();
+  const auto scene = std::make_shared<const Scene>(loadScene(session.source));
+  const std::unique_ptr<HeadlessFrame> frame = display.makeFrame(scene, session);
+  std::vector<std::shared_ptr<Technique>> techniques;
+  for (const std::string& id : techniquesOf(lesson, step))
+    techniques.push_back(techniqueOf(session, catalogue, id));
+  StepResult result{probeScene(*frame, session, techniques, *session.probe), {}, {}};
+  if (!result.probe.probe.refused.empty())
+    throw Error(ErrorKind::BadInput, result.probe.probe.refused.front().reason);
+  for (const std::string& id : framesOf(lesson, step)) {
+    throwIfCancelled();
+    result.metrics[id] = metricsOf(*frame, *techniqueOf(session, catalogue, id));
+  }
+  frame->render(*techniques.front(), session.frame.view);
+  result.picture = frame->colour();
+  return result;
+}
+
+}  // namespace
+
+std::vector<StepResult> measureSteps(Display& display, const Lesson& lesson) {
+  std::vector<StepResult> results;
+  for (std::size_t step = 0; step < lesson.steps.size(); ++step) {
+    throwIfCancelled();
+    try {
+      results.push_back(measure(display, lesson, step));
+    } catch (const Error& error) {
+      // What is wrong is in the lesson, not among the options of this command.
+      const bool input =
+          error.kind() == ErrorKind::BadCommandLine || error.kind() == ErrorKind::BadInput;
+      throw Error(
+          input ? ErrorKind::BadInput : error.kind(),
+          "lesson " + lesson.name + ": steps[" + std::to_string(step + 1) + "]: " + error.what());
+    }
+  }
+  return results;
+}
+
+double valueOf(const std::vector<StepResult>& results, const LessonQuantity& quantity) {
+  const StepResult& step = results.at(quantity.step);
+  if (infoOf(quantity.quantity).ofFrame)
+    return measured(step.metrics.at(quantity.technique), quantity.quantity);
+  return measured(step.probe.probe, quantity.quantity, quantity.technique).value();
+}
+
+ClaimResult checkClaim(const std::vector<StepResult>& results, const LessonClaim& claim) {
+  ClaimResult result;
+  result.left = valueOf(results, claim.left);
+  result.right = claim.right ? valueOf(results, *claim.right) : claim.value;
+  result.holds = holds(claim, result.left, result.right);
+  return result;
+}
+
+}  // namespace umbra
