@@ -4,6 +4,7 @@
 
 #include "filters/core/Composition.h"
 #include "filters/core/Error.h"
+#include "filters/core/Prefilter.h"
 #include "filters/gpu/vtkUmbraDepthPass.h"
 #include "tests/gpu/FrameFixture.h"
 
@@ -131,6 +132,12 @@ TEST_F(SatFrame, SamplesAreCountedAndComeWithTheMap) {
     show(test::slabAndBall(), "vsm");
     EXPECT_EQ(renderer->samples(), vtkUmbraDepthPass::SamplesGiven(asked));
     EXPECT_EQ(renderer->depthMap().channels(), renderer->samples());
+    // Values up to 1: a sum of the samples' and a division after each one's own encoding.
+    const Image<double> exact = encodeMap(renderer->depthMap(), *technique, StorageFormat::Double);
+    const Image<float> channels = renderer->channels(BakeStage::Encoded);
+    for (std::size_t i = 0; i < exact.values().size(); ++i)
+      ASSERT_NEAR(channels.values()[i], exact.values()[i],
+                  (renderer->samples() + 4) * unitRoundoff(StorageFormat::Float));
   }
 }
 
