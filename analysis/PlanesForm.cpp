@@ -72,7 +72,7 @@ std::optional<PlanesPrediction> predictPlanes(const Probe& probe, std::span<cons
   const std::shared_ptr<const Technique> technique = unreduced(*vsm);
   prediction.predicted = predictedVisibility(*planes, probe.receiver, minVarianceOf(*technique));
   prediction.ideal = predictedVisibility(*planes, depths.back());
-  prediction.measured = technique->visibility({vsm->channels, probe.region}, probe.receiver);
+  prediction.measured = visibilityOf(*technique, probe, *vsm, probe.receiver);
   return prediction;
 }
 
@@ -90,7 +90,7 @@ Plot planesPlot(const Probe& probe, const PlanesPrediction& prediction) {
     return referenceVisibility(probe.region, z);
   }));
   plot.series.push_back(plot::sampled("VSM, measured", measuredColour, range, [&](double z) {
-    return technique->visibility({vsm.channels, probe.region}, z);
+    return visibilityOf(*technique, probe, vsm, z);
   }));
   plot.series.back().lineWidth = plot::thick;
   plot.series.push_back(plot::sampled("closed form", predictedColour, range, [&](double z) {

@@ -15,7 +15,9 @@ ProbeRequest withRadius(const ProbeRequest& request, int radius) {
   changed.kernel.radius = radius;
   // The table's box is the footprint, which holds the kernel's window.
   if (changed.read.filter == ReadFilter::SummedArea)
-    changed.read.footprint.x = changed.read.footprint.y = 2.0 * radius + 1.0;
+    for (Footprint* box :
+         {&changed.read.footprint, changed.seam ? &changed.seam->read.footprint : nullptr})
+      if (box) box->x = box->y = 2.0 * radius + 1.0;
   return changed;
 }
 

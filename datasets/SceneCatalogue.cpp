@@ -81,4 +81,15 @@ Scene makeScene(const std::string& name, const std::map<std::string, double>& pa
   return scene;
 }
 
+std::vector<double> planeDepthsOf(const std::string& name,
+                                  const std::map<std::string, double>& parameters) {
+  std::vector<double> depths;
+  for (const SceneEntry& entry : allScenes()) {
+    if (entry.info.name != name || entry.info.planes.empty()) continue;
+    const scenes::Values values = valuesFor(entry.info, parameters);
+    for (const std::string& plane : entry.info.planes) depths.push_back(values.at(plane));
+  }
+  return depths;
+}
+
 }  // namespace umbra

@@ -19,6 +19,9 @@ struct SceneParameter {
 struct SceneInfo {
   std::string name, title, description, figure;
   std::vector<SceneParameter> parameters;
+  // Of a scene that consists of planes across the light: the parameters that are their depths,
+  // nearest to the light first; the last is the receiver's. Else empty.
+  std::vector<std::string> planes;
   std::string missing;  // why it cannot be opened here: the package that would bring it; else ""
 };
 
@@ -27,5 +30,10 @@ std::vector<SceneInfo> sceneCatalogue();
 // Deterministic: same name and parameters, same vertices. Throws BadInput for an unknown name
 // (with the nearest one), an unknown parameter, a value out of range, or a missing package.
 Scene makeScene(const std::string& name, const std::map<std::string, double>& parameters = {});
+
+// The depths of the scene's planes with these parameters; empty for a scene of something else or of
+// no known name. Throws as makeScene for a wrong parameter.
+std::vector<double> planeDepthsOf(const std::string& name,
+                                  const std::map<std::string, double>& parameters = {});
 
 }  // namespace umbra

@@ -79,7 +79,8 @@ SceneEntry threePlanes() {
                           {"c", "depth of C, the receiver", 0.30, 0.97, 0.94},
                           {"coverage", "share of each slat's pitch that A covers", 0.0, 1.0, 0.5},
                           {"slats", "slats that A consists of; 1 is the figure's one plane", 1, 60,
-                           30}}},
+                           30}},
+           .planes = {"a", "b", "c"}},
           buildThreePlanes};
 }
 
@@ -91,7 +92,8 @@ SceneEntry twoPlanes() {
                           "percentage-closer filtering agree.",
            .figure = "Lauritzen 2008, §3.2",
            .parameters = {{"occluder", "depth of the occluder", 0.02, 0.90, 0.45},
-                          {"receiver", "depth of the receiver", 0.10, 0.97, 0.90}}},
+                          {"receiver", "depth of the receiver", 0.10, 0.97, 0.90}},
+           .planes = {"occluder", "receiver"}},
           buildTwoPlanes};
 }
 
