@@ -65,6 +65,13 @@ void vtkUmbraShadingPass::PrepareTransforms(vtkRenderer* renderer) {
   Eigen::Vector4d toLight(0.0, 0.0, 0.0, spot ? 1.0 : 0.0);
   toLight.head<3>() = spot ? this->Frame.position : Eigen::Vector3d(-this->Frame.direction);
   this->ToLight = (worldToView * toLight).cast<float>();
+  this->SplitPlane = {0.0f, 0.0f, -1.0f, 0.0f};
+  if (const auto& frozen = this->Settings.map.cascades.frozen) {
+    const Eigen::Vector3d forward = (frozen->target - frozen->position).normalized();
+    const Eigen::Vector4d plane(forward.x(), forward.y(), forward.z(),
+                                -forward.dot(frozen->position));
+    this->SplitPlane = (worldToView.inverse().transpose() * plane).cast<float>();
+  }
 }
 
 void vtkUmbraShadingPass::SetMaps(const gl::Texture* depth, const gl::Texture* channels,
@@ -217,6 +224,7 @@ bool vtkUmbraShadingPass::SetShaderParameters(vtkShaderProgram* program, vtkAbst
     ends.push_back(float(cascade.farDistance));
     seams.push_back(float(cascade.seamDistance(this->Settings.map.cascades.seam)));
   }
+  gl::setUniform4(name, "umbraSplitPlane", {this->SplitPlane.data(), 4});
   gl::setUniform(name, "umbraCascadeEnds", ends);
   gl::setUniform(name, "umbraCascadeSeams", seams);
   setLightUniforms(name, this->Frame);

@@ -78,7 +78,8 @@ class vtkUmbraShadingPass : public vtkOpenGLRenderPass {
   MapReads Reads;
   std::vector<Cascade> Cascades;
   Eigen::Matrix4f ViewToLight = Eigen::Matrix4f::Identity();
-  Eigen::Vector4f ToLight = Eigen::Vector4f::UnitZ();  // as ShadeDeclarations.glsl has it
+  Eigen::Vector4f ToLight = Eigen::Vector4f::UnitZ();   // as ShadeDeclarations.glsl has it
+  Eigen::Vector4f SplitPlane{0.0f, 0.0f, -1.0f, 0.0f};  // likewise
   int DepthUnit = 0, ChannelUnit = 1, FilteredUnit = 2;
 
   gl::Texture Colour, Surfaces, Footprints, Depth;

@@ -32,7 +32,8 @@ vec2 umbraDepthPerTexel(vec3 point, vec3 normal) {
 }
 
 #if UMBRA_CASCADES > 1
-uniform float umbraCascadeEnds[4];   // distances along the camera's axis, world units
+uniform vec4 umbraSplitPlane;        // view space: distance along the axis that is split
+uniform float umbraCascadeEnds[4];   // such distances, world units
 uniform float umbraCascadeSeams[4];  // where each begins to go over into the next
 
 bool umbraHolds(int cascade, vec2 whole) {
@@ -41,7 +42,7 @@ bool umbraHolds(int cascade, vec2 whole) {
 }
 
 // The cascade that a point is drawn from, and the weight of the next one, below 1. `whole` is its
-// (u, v) on the whole light's map, `distance` is along the camera's axis. What its own cascade's
+// (u, v) on the whole light's map, `distance` is along the split axis. What its own cascade's
 // window does not hold is left to the next.
 vec2 umbraCascadeOf(vec2 whole, float distance) {
   const int last = UMBRA_CASCADES - 1;
@@ -133,7 +134,7 @@ vec4 umbraShade(vec3 position, vec3 shadingNormal, out vec4 footprint) {
   // read.
   float side = 1.0, coarsest = 1.0;
 #if UMBRA_CASCADES > 1
-  vec2 cascade = umbraCascadeOf(uv, -position.z);
+  vec2 cascade = umbraCascadeOf(uv, dot(umbraSplitPlane, vec4(position, 1.0)));
   vec3 window = umbraCascadeWindows[int(cascade.x)];
   uv = (uv - window.xy) / window.z;
   footprint.w = cascade.x + cascade.y;
