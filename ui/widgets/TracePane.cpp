@@ -19,9 +19,7 @@ enum Column { Symbol, Value, Formula, Meaning, ColumnCount };
 }  // namespace
 
 TracePane::TracePane(QWidget* parent)
-    : Card({}, parent),
-      sentence_(new QLabel),
-      view_(new QTableWidget(0, ColumnCount)) {
+    : Card({}, parent), sentence_(new QLabel), view_(new QTableWidget(0, ColumnCount)) {
   auto* copy = new QToolButton;
   copy->setText(tr("Copy"));
   copy->setAutoRaise(true);
@@ -41,8 +39,10 @@ TracePane::TracePane(QWidget* parent)
     view_->horizontalHeaderItem(column)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   view_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   view_->horizontalHeader()->setStretchLastSection(true);
+  view_->horizontalHeader()->setHighlightSections(false);
   view_->verticalHeader()->hide();
-  view_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 5);
+  view_->verticalHeader()->setMinimumSectionSize(10);
+  view_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 2);
   view_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   view_->setSelectionBehavior(QAbstractItemView::SelectRows);
   view_->setShowGrid(false);
@@ -64,7 +64,8 @@ void TracePane::setTrace(const QString& technique, const Trace& trace) {
   view_->setRowCount(int(trace.steps.size()));
   for (int row = 0; row < view_->rowCount(); ++row)
     setStep(row, trace.steps[row], trace.culprit == row);
-  if (trace.culprit) view_->scrollToItem(view_->item(*trace.culprit, Symbol));
+  if (trace.culprit)
+    view_->scrollToItem(view_->item(*trace.culprit, Symbol), QAbstractItemView::PositionAtCenter);
   text_ = technique + "\n" + QString::fromStdString(traceText(trace));
 }
 
