@@ -118,7 +118,7 @@ void CentrePane::refresh() {
 }
 
 void CentrePane::showReport() {
-  const auto& report = prober_.report();
+  const auto& report = prober_.behindVeil();
   if (controller_.document().content.depth) {
     if (report)
       depth_->setRegion(report->probe.region);
@@ -134,6 +134,8 @@ void CentrePane::showReport() {
     view_.setReport(report, {}, {}, false);
     return;
   }
+  if (!prober_.veil().isEmpty())
+    return view_.setReport(report, tr("Predict first"), tr("then see what comes out here"), false);
   const QString kernel = QString::fromStdString(describe(controller_.session().frame.kernel));
   const bool wrong = std::string_view(verdictOf(result->error)) != verdictOf(0.0);
   view_.setReport(

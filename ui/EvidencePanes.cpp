@@ -66,16 +66,18 @@ bool EvidencePanes::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void EvidencePanes::showHints() {
+  const QString& veil = prober_.veil();
+  const auto hint = [&](const QString& text) { return veil.isEmpty() ? text : veil; };
   curves_->clear(
-      tr("Point at a shadow: the visibility that every technique\n"
-         "gives this pixel appears here, over all depths."));
-  cdf_->clear(tr("Point at a shadow: how its region's depths add up appears here."));
-  histogram_->clear(tr("Point at a shadow: the depths in its filter region appear here."));
+      hint(tr("Point at a shadow: the visibility that every technique\n"
+              "gives this pixel appears here, over all depths.")));
+  cdf_->clear(hint(tr("Point at a shadow: how its region's depths add up appears here.")));
+  histogram_->clear(hint(tr("Point at a shadow: the depths in its filter region appear here.")));
   curves_->setTitle(tr("Visibility of the region, every technique"));
   cdf_->setTitle(tr("Distribution of the region's depths"));
   histogram_->setTitle(tr("Depths in the region"));
-  table_->clear();
-  trace_->clear();
+  table_->clear(veil);
+  trace_->clear(veil);
   region_->clear();
   map_->clearRegion();
   regionShown_ = false;

@@ -2,6 +2,7 @@
 
 #include <QActionGroup>
 #include <QCloseEvent>
+#include <QDockWidget>
 #include <QLabel>
 #include <QStatusBar>
 #include <QToolButton>
@@ -11,6 +12,7 @@
 #include "ui/ControlPane.h"
 #include "ui/EvidencePanes.h"
 #include "ui/FrameFigures.h"
+#include "ui/LessonController.h"
 #include "ui/MessageBanner.h"
 #include "ui/Prober.h"
 #include "ui/ReductionTools.h"
@@ -28,6 +30,7 @@ MainWindow::MainWindow(const Session& session, QWidget* parent)
       evidence_(new EvidencePanes(controller_, *view_, *prober_, this)),
       controls_(new ControlPane(controller_, *prober_, *view_)),
       centre_(new CentrePane(controller_, *view_, *prober_)),
+      lessons_(new LessonController(controller_, *prober_, this)),
       modes_(new QActionGroup(this)),
       techniques_(new QActionGroup(this)),
       sceneText_(new QLabel),
@@ -37,6 +40,7 @@ MainWindow::MainWindow(const Session& session, QWidget* parent)
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
   setCentralWidget(centre_);
   makeDocks();
+  makeLessonDock();
   makeActions();
   sceneText_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   statusBar()->addWidget(sceneText_, 1);
@@ -66,9 +70,10 @@ void MainWindow::connectParts() {
               probeNextFrame_ = true;
             }
             attempt([&] { view_->showDocument(after, controller_.technique()); });
-            evidence_->refreshMap();
+            // What needs a frame waits for the one that follows.
+            if (after.content.depth || view_->upToDate()) evidence_->refreshMap();
             refresh();
-            if (view_->upToDate()) prober_->refresh();  // else after the frame that follows
+            if (view_->upToDate()) prober_->refresh();
           });
   connect(&controller_, &SessionController::loadingChanged, this, [this](bool loading) {
     if (loading) centre_->banner().showProgress(tr("Opening …"));
@@ -171,7 +176,12 @@ Session MainWindow::sessionToSave() const {
   return session;
 }
 
+Session MainWindow::sessionToRemember() const {
+  return controller_.visiting() ? controller_.ownSession() : sessionToSave();
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
+  lessonDock_->hide();  // the next window begins without a lesson
   emit closing();
   QMainWindow::closeEvent(event);
 }

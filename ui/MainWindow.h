@@ -19,10 +19,13 @@ namespace umbra {
 class CentrePane;
 class ControlPane;
 class EvidencePanes;
+class LessonController;
+class LessonPane;
 class PlotPane;
 class Prober;
 class SceneForm;
 class SceneView;
+struct Lesson;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -38,13 +41,20 @@ class MainWindow : public QMainWindow {
   EvidencePanes& evidence() { return *evidence_; }
   ControlPane& controls() { return *controls_; }
   CentrePane& centre() { return *centre_; }
+  LessonController& lessons() { return *lessons_; }
+  LessonPane& lessonPane() { return *lessonPane_; }
   const std::vector<QDockWidget*>& docks() const { return docks_; }
 
   // What a saved session holds: the picture's size and the pinned pixel as they are now.
   Session sessionToSave() const;
+  // One's own, also while a lesson shows another.
+  Session sessionToRemember() const;
 
-  // By extension: a mesh, a depth map (.exr) or a session (.json), read beside this thread.
+  // By extension: a mesh, a depth map (.exr), a session or a lesson (.json); read beside this
+  // thread.
   void openFile(const std::filesystem::path& file);
+  // The window's own session waits until the lesson is left.
+  void enterLesson(const Lesson& lesson);
   // Throw BadOutput.
   void saveSession(const std::filesystem::path& file);
   void savePicture(const std::filesystem::path& file);  // PNG, as shown with the probe
@@ -53,6 +63,7 @@ class MainWindow : public QMainWindow {
   void showError(const QString& text);
   void showNotices();
   void resetLayout();
+  void leaveLesson();
 
  signals:
   void closing();
@@ -84,6 +95,10 @@ class MainWindow : public QMainWindow {
   QMenu* makeExportMenu();
   QAction* addAction(QMenu& menu, const QString& text, const QKeySequence& key,
                      const std::function<void()>& run);
+  // MainWindowLessons.cpp
+  void makeLessonDock();
+  void makeLessonsMenu();
+  void placeLessonDock();
   // MainWindowFiles.cpp
   void askToOpen(const QString& title, const QString& filter);
   void askToSaveSession();
@@ -99,6 +114,9 @@ class MainWindow : public QMainWindow {
   EvidencePanes* evidence_;
   ControlPane* controls_;
   CentrePane* centre_;
+  LessonController* lessons_;
+  LessonPane* lessonPane_ = nullptr;
+  QDockWidget* lessonDock_ = nullptr;  // not among docks_: it is there during a lesson alone
   std::vector<QDockWidget*> docks_;
   QActionGroup *modes_, *techniques_;
   QToolButton *sceneButton_ = nullptr, *adjustButton_ = nullptr;

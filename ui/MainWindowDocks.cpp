@@ -100,6 +100,7 @@ void MainWindow::resetLayout() {
                 Qt::Vertical);
   else
     resizeDocks({map, curves}, {rest * 42 / 100, rest * 58 / 100}, Qt::Vertical);
+  placeLessonDock();
 }
 
 }  // namespace umbra

@@ -7,6 +7,7 @@
 #include <exception>
 
 #include "datasets/DepthFile.h"
+#include "datasets/LessonFile.h"
 #include "datasets/SessionFile.h"
 #include "filters/core/AtomicFile.h"
 #include "filters/core/Error.h"
@@ -45,6 +46,7 @@ void MainWindow::attempt(const std::function<void()>& work) {
 void MainWindow::openFile(const fs::path& file) {
   attempt([&] {
     if (lowerExtension(file) == ".json") {
+      if (looksLikeLesson(file)) return enterLesson(readLesson(file));
       controller_.open(readSession(file));
       return;
     }

@@ -56,6 +56,7 @@ void MainWindow::makeActions() {
   makeViewMenu();
   makeTechniqueMenu();
   makeProbeMenu();
+  makeLessonsMenu();
   makeWindowMenu();
   makeHelpMenu();
   makeToolBar();
@@ -112,9 +113,9 @@ void MainWindow::makeFileMenu() {
 
 void MainWindow::makeEditMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Edit"));
-  QAction* undo = controller_.undoStack().createUndoAction(this, tr("&Undo"));
+  QAction* undo = controller_.history().createUndoAction(this, tr("&Undo"));
   undo->setShortcut(QKeySequence("Ctrl+Z"));
-  QAction* redo = controller_.undoStack().createRedoAction(this, tr("&Redo"));
+  QAction* redo = controller_.history().createRedoAction(this, tr("&Redo"));
   redo->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
   menu->addActions({undo, redo});
   menu->addSeparator();

@@ -47,6 +47,12 @@ void Prober::sessionChanged(const Document& before, const Document& after) {
   if (after.content.depth) refresh();  // a scene is probed after the frame that follows
 }
 
+void Prober::setVeil(const QString& reason) {
+  if (reason == veil_) return;
+  veil_ = reason;
+  emit reported();
+}
+
 void Prober::hover(const Pixel& pixel) {
   if (controller_.session().probe) return;
   hover_ = pixel;

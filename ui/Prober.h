@@ -23,7 +23,13 @@ class Prober : public QObject {
  public:
   Prober(SessionController& controller, SceneView& view, QObject* parent = nullptr);
 
-  const std::optional<ProbeReport>& report() const { return report_; }
+  // None while a veil lies over it.
+  const std::optional<ProbeReport>& report() const { return veil_.isEmpty() ? report_ : hidden_; }
+  // The probe itself, for what shows no figures of it.
+  const std::optional<ProbeReport>& behindVeil() const { return report_; }
+  // Hides the probe's figures from every pane; `reason` is what they say instead, "" lifts it.
+  void setVeil(const QString& reason);
+  const QString& veil() const { return veil_; }
 
   void hover(const Pixel& pixel);  // of the picture, or a texel
   void pin(const Pixel& pixel);    // a step for undo
@@ -63,7 +69,8 @@ class Prober : public QObject {
 
   SessionController& controller_;
   SceneView& view_;
-  std::optional<ProbeReport> report_;
+  std::optional<ProbeReport> report_, hidden_;  // hidden_ is always empty
+  QString veil_;
   std::optional<Pixel> hover_;
   std::optional<Eigen::Vector3d> pinnedPoint_;             // world, once the frame has told it
   std::optional<Place> lastSeen_;                          // where the probe was last in sight

@@ -226,6 +226,8 @@ void SceneView::drawFrame() {
 }
 
 void SceneView::finishFrame() {
+  // Another document was asked for meanwhile: its probe is not to be looked for in this frame.
+  if (stale_) return;
   refreshOverlay();
   emit frameDrawn();
   if (!drawn_ || !shadow_->splitsMoving()) return;

@@ -2,6 +2,7 @@
 
 #include <QUndoCommand>
 #include <exception>
+#include <utility>
 
 #include "filters/core/Composition.h"
 #include "ui/SourceLoader.h"
@@ -47,10 +48,15 @@ SessionController::SessionController(const Session& session, QObject* parent)
       document_{session, loadSource(session.source)},
       loader_(new SourceLoader(this)) {
   rebuildTechniques(session);
-  undo_.setUndoLimit(500);
+  for (QUndoStack* stack : {&undo_, &visitUndo_}) {
+    stack->setUndoLimit(500);
+    history_.addStack(stack);
+  }
+  history_.setActiveStack(&undo_);
   connect(loader_, &SourceLoader::failed, this, &SessionController::failed);
   connect(loader_, &SourceLoader::finished, this, [this] { emit loadingChanged(false); });
   connect(loader_, &SourceLoader::loaded, this, [this](const Document& loaded) {
+    if (visitAsked_) return arrive(loaded);
     endMerge();
     push(tr("Open %1").arg(QString::fromStdString(titleOf(loaded.session.source))), loaded, {});
   });
@@ -105,7 +111,7 @@ void SessionController::amend(const std::function<void(Session&)>& change) {
 void SessionController::push(const QString& text, Document after, const QString& mergeKey) {
   try {
     rebuildTechniques(after.session);  // refuses what is wrong before it becomes a step
-    undo_.push(new DocumentCommand(*this, text, std::move(after), mergeKey));
+    undoStack().push(new DocumentCommand(*this, text, std::move(after), mergeKey));
   } catch (const std::exception& problem) {
     rebuildTechniques(session());
     emit failed(QString::fromUtf8(problem.what()));
@@ -134,8 +140,44 @@ void SessionController::rebuildTechniques(const Session& session) {
 }
 
 void SessionController::open(const Session& session) {
+  visitAsked_ = false;
   loader_->load(session);
   emit loadingChanged(true);
+}
+
+void SessionController::visit(const Session& session) {
+  if (session.source == document_.session.source) {
+    loader_->drop();
+    return arrive({session, document_.content});
+  }
+  visitAsked_ = true;
+  loader_->load(session);
+  emit loadingChanged(true);
+}
+
+void SessionController::arrive(const Document& document) {
+  try {
+    rebuildTechniques(document.session);  // refuses what is wrong while all is as it was
+  } catch (const std::exception& problem) {
+    rebuildTechniques(session());
+    emit failed(QString::fromUtf8(problem.what()));
+    return;
+  }
+  if (!own_) own_ = document_;
+  visitUndo_.clear();
+  history_.setActiveStack(&visitUndo_);
+  endMerge();
+  show(document);
+}
+
+void SessionController::leave() {
+  loader_->drop();
+  if (!own_) return;
+  const Document own = *std::exchange(own_, std::nullopt);
+  visitUndo_.clear();
+  history_.setActiveStack(&undo_);
+  endMerge();
+  show(own);
 }
 
 void SessionController::openSource(const SceneSource& source) {

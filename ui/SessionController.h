@@ -3,10 +3,12 @@
 
 #include <QMap>
 #include <QObject>
+#include <QUndoGroup>
 #include <QUndoStack>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "ui/Document.h"
@@ -33,7 +35,9 @@ class SessionController : public QObject {
   // Of the techniques that the session's format, kernel or read cannot be composed with: why, by
   // id.
   QMap<QString, QString> refusals() const;
-  QUndoStack& undoStack() { return undo_; }
+  // Of what is shown: one's own session, or a visited one.
+  QUndoStack& undoStack() { return visiting() ? visitUndo_ : undo_; }
+  QUndoGroup& history() { return history_; }
   bool loading() const;
 
   // One step for undo. Edits in a row with the same `mergeKey` become one step, until `endMerge`.
@@ -50,6 +54,15 @@ class SessionController : public QObject {
   // The same technique and frame on another source, with the light and camera that it brings.
   void openSource(const SceneSource& source);
 
+  // Shows another session while one's own waits, with its history: a lesson's step. Read beside
+  // this thread unless its source is what is open. Changes to it have a history of their own, which
+  // ends with the visit or with the next one.
+  void visit(const Session& session);
+  // Brings one's own session back as it was; at once. Nothing where none waits.
+  void leave();
+  bool visiting() const { return own_.has_value(); }
+  const Session& ownSession() const { return own_ ? own_->session : document_.session; }
+
  signals:
   void changed(const umbra::Document& before, const umbra::Document& after);
   void loadingChanged(bool loading);
@@ -62,12 +75,16 @@ class SessionController : public QObject {
   void show(const Document& document);  // undo, redo and every edit end here
   FrameSettings readSettings() const;
   void rebuildTechniques(const Session& session);
+  void arrive(const Document& document);
 
   TechniqueCatalogue catalogue_;
   Document document_;
   std::vector<std::shared_ptr<const Technique>> techniques_;
   QStringList notices_;
-  QUndoStack undo_;
+  QUndoStack undo_, visitUndo_;
+  QUndoGroup history_;
+  std::optional<Document> own_;  // while another one is visited
+  bool visitAsked_ = false;      // what is being read is to be visited
   SourceLoader* loader_;
   int mergeGroup_ = 0;
 };

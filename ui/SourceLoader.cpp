@@ -25,6 +25,12 @@ void SourceLoader::load(const Session& session) {
   });
 }
 
+void SourceLoader::drop() {
+  if (!busy()) return;
+  reported_ = ++asked_;
+  emit finished();
+}
+
 void SourceLoader::report(int number, const Document& document, const QString& error) {
   threads_.erase(number);  // it has only to return
   if (number != asked_) return;

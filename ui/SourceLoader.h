@@ -20,6 +20,8 @@ class SourceLoader : public QObject {
   // Ends in `loaded` or `failed`, on the thread of this object. Of several that overlap only the
   // last one is reported.
   void load(const Session& session);
+  // What is being read is not wanted any more: it is never reported.
+  void drop();
   bool busy() const { return reported_ != asked_; }
 
  signals:

@@ -56,7 +56,7 @@ void rememberWindow(MainWindow& window) {
   settings.setValue("window/docks", window.saveState(arrangement));
   settings.sync();
   try {
-    window.saveSession(sessionFile());
+    writeSession(window.sessionToRemember(), sessionFile());
   } catch (const std::exception&) {
     return;  // the next start begins with the default scene
   }

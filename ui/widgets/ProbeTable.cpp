@@ -44,7 +44,6 @@ ProbeTable::ProbeTable(QWidget* parent)
                                 "transparent; color: %2; padding: 2px 4px; }")
                             .arg(style::border.name(), style::muted.name()));
   body()->addWidget(view_);
-  hint_->setText(tr("Point at a shadow: what every technique makes of it appears here."));
   hint_->setWordWrap(true);
   hint_->setAlignment(Qt::AlignCenter);
   QPalette palette = hint_->palette();
@@ -89,8 +88,11 @@ void ProbeTable::setSelected(const QString& id) {
   quiet_ = false;
 }
 
-void ProbeTable::clear() {
+void ProbeTable::clear(const QString& hint) {
   model_->clear();
+  hint_->setText(hint.isEmpty()
+                     ? tr("Point at a shadow: what every technique makes of it appears here.")
+                     : hint);
   showHint(true);
 }
 

@@ -20,7 +20,8 @@ class ProbeTable : public Card {
   // One row per technique of the probe, in its order; `selected` is an id.
   void setProbe(const Probe& probe, const QString& selected);
   void setSelected(const QString& id);
-  void clear();  // no rows, a hint in their place
+  // No rows, a hint in their place; "" is how to get rows.
+  void clear(const QString& hint = {});
 
   // Tab separated with a header line, numbers in full precision; for spreadsheets.
   QString asText() const;

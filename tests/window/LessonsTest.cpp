@@ -1,0 +1,165 @@
+// Lessons: what they veil and show, and that one's own session outlives them.
+#include <QAbstractItemModel>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QMenu>
+#include <QPushButton>
+#include <QSlider>
+#include <QTableView>
+#include <QTest>
+
+#include "datasets/LessonCatalogue.h"
+#include "tests/window/WindowTest.h"
+#include "ui/EvidencePanes.h"
+#include "ui/LessonController.h"
+#include "ui/LessonPane.h"
+#include "ui/LessonQuestionPane.h"
+#include "ui/Prober.h"
+#include "ui/WindowMemory.h"
+#include "ui/widgets/PlotPane.h"
+#include "ui/widgets/ProbeTable.h"
+
+namespace umbra {
+namespace {
+
+int rowsOf(MainWindow& window) {
+  return window.evidence().table().view()->model()->rowCount();
+}
+
+// Lauritzen 2008, eq. 3.4.
+double bleedingOf(double dx, double dy) {
+  return 0.25 * dx * dx / (0.5 * dx * dx + dx * dy + dy * dy);
+}
+
+}  // namespace
+
+void WindowTest::lightBleedingIsPredictedThenMeasured() {
+  MainWindow& window = open();
+  auto* menu = window.findChild<QMenu*>("lessonsMenu");
+  for (QAction* action : menu->actions())
+    if (action->data().toString() == "light-bleeding") action->trigger();
+  settle();
+  auto* dock = window.findChild<QDockWidget*>("lessonDock");
+  QVERIFY(dock->isVisible());
+  QCOMPARE(window.lessonPane().title(), QString("Light bleeding"));
+  QVERIFY(result("vsm").visibility > 0.2);  // nothing is asked yet, so nothing is hidden
+
+  auto* next = window.findChild<QPushButton*>("lessonNext");
+  for (int i = 0; i < 2; ++i) {
+    next->click();
+    settle();
+  }
+  QVERIFY(window.lessons().progress()->veiled());
+  QVERIFY(!window.prober().report());
+  for (PlotPane* plot : window.evidence().plots()) QVERIFY(!plot->plot());
+  QCOMPARE(rowsOf(window), 0);
+  LessonQuestionPane& question = window.lessonPane().question();
+  QVERIFY(question.isVisible());
+  QVERIFY(question.measuredText().isEmpty());
+
+  // By slider, then to the figure by field and Enter.
+  question.slider()->setValue(question.slider()->maximum() / 4);
+  QCOMPARE(question.field()->value(), 0.25);
+  const double predicted = bleedingOf(0.62, 0.20);
+  question.field()->setValue(predicted);
+  question.field()->setFocus();
+  QTest::keyClick(question.field(), Qt::Key_Return);
+  settle();
+  QVERIFY(!window.lessons().progress()->veiled());
+  QVERIFY(rowsOf(window) > 5);
+  QVERIFY(window.evidence().curves().plot().has_value());
+  const double measured = result("vsm").visibility;
+  QCOMPARE(question.measuredText(), QString::number(measured, 'f', 3));
+  QVERIFY(std::abs(measured - predicted) <=
+          window.lessons().progress()->current().question->tolerance);
+  QVERIFY(question.verdict().startsWith("They agree"));
+  QCOMPARE(window.prober().report()->probe.reference, 0.0);
+}
+
+void WindowTest::aLessonIsWalkedByKeyAndKeepsItsPredictions() {
+  MainWindow& window = open();
+  window.enterLesson(lessonNamed("vsm-planes"));
+  settle();
+  const auto step = [&] { return window.lessons().progress()->step; };
+  key(Qt::Key_Left, Qt::AltModifier);
+  QCOMPARE(step(), std::size_t(0));
+  key(Qt::Key_Right, Qt::AltModifier);
+  QCOMPARE(step(), std::size_t(1));
+  window.lessons().predict(0.07);
+  QVERIFY(window.lessonPane().question().verdict().startsWith("Off by"));
+  key(Qt::Key_Right, Qt::AltModifier);
+  QVERIFY(window.lessons().progress()->veiled());
+  key(Qt::Key_Left, Qt::AltModifier);
+  QVERIFY(!window.lessons().progress()->veiled());
+  QCOMPARE(*window.lessons().progress()->prediction(), 0.07);
+  QVERIFY(window.lessonPane().question().verdict().startsWith("Off by"));
+  // What is changed in a step is put back with it.
+  window.controller().edit("kernel", [](Session& s) { s.frame.kernel.radius = 1; });
+  window.lessons().restart();
+  settle();
+  QCOMPARE(window.controller().session().frame.kernel.radius, 7);
+  while (!window.lessons().progress()->atLast()) key(Qt::Key_Right, Qt::AltModifier);
+  window.findChild<QPushButton*>("lessonNext")->click();  // now "Finish"
+  settle();
+  QVERIFY(!window.lessons().progress());
+  QVERIFY(!window.findChild<QDockWidget*>("lessonDock")->isVisible());
+}
+
+void WindowTest::aLessonLeavesOnesOwnSessionAsItWas() {
+  MainWindow& window = open();
+  window.controller().edit("radius", [](Session& s) { s.frame.kernel.radius = 5; });
+  window.controller().edit("technique", [](Session& s) { s.technique = "msm"; });
+  settle();
+  key(Qt::Key_Z, Qt::ControlModifier);  // and one step that can be redone
+  const Session own = window.sessionToSave();
+  const Content content = window.controller().document().content;
+  const double visibility = result("vsm").visibility;
+
+  window.enterLesson(lessonNamed("light-bleeding"));
+  settle();
+  QVERIFY(window.controller().visiting());
+  QVERIFY(!window.controller().undoStack().canUndo());
+  window.controller().edit("map", [](Session& s) { s.frame.map.size = 512; });
+  settle();
+  key(Qt::Key_Z, Qt::ControlModifier);
+  QCOMPARE(window.controller().session().frame.map.size, 1024);
+  window.lessons().next();
+  settle();
+  QVERIFY(window.sessionToRemember() == own);
+
+  window.leaveLesson();
+  settle();
+  QVERIFY(!window.controller().visiting());
+  QVERIFY(window.controller().session() == own);
+  QVERIFY(window.controller().document().content == content);
+  QVERIFY(std::abs(result("vsm").visibility - visibility) < 1e-12);
+  QCOMPARE(window.controller().undoStack().count(), 2);
+  key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  QCOMPARE(window.controller().session().technique, std::string("msm"));
+  key(Qt::Key_Z, Qt::ControlModifier);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  QCOMPARE(window.controller().session().frame.kernel.radius, 3);
+}
+
+void WindowTest::quittingInALessonRemembersOnesOwnSession() {
+  MainWindow& window = open();
+  window.controller().edit("radius", [](Session& s) { s.frame.kernel.radius = 6; });
+  settle();
+  const Session own = window.sessionToSave();
+  window.enterLesson(lessonNamed("layers"));
+  settle();
+  QObject::connect(&window, &MainWindow::closing, &window, [&] { rememberWindow(window); });
+  window.close();
+  const auto last = lastSession();
+  QVERIFY(last.has_value());
+  QVERIFY(*last == own);
+
+  window_ = std::make_unique<MainWindow>(*last);
+  restoreWindow(*window_);
+  window_->show();
+  settle();
+  QVERIFY(!window_->findChild<QDockWidget*>("lessonDock")->isVisible());
+  QVERIFY(window_->docks().front()->isVisible());
+}
+
+}  // namespace umbra

@@ -1,0 +1,78 @@
+#include "ui/LessonController.h"
+
+#include "analysis/Measure.h"
+#include "ui/Prober.h"
+#include "ui/SessionController.h"
+
+namespace umbra {
+
+LessonController::LessonController(SessionController& session, Prober& prober, QObject* parent)
+    : QObject(parent), session_(session), prober_(prober) {
+  connect(&prober_, &Prober::reported, this, &LessonController::measured);
+}
+
+std::optional<double> LessonController::measurement() const {
+  const auto& report = prober_.behindVeil();
+  if (!progress_ || !progress_->current().question || !report) return std::nullopt;
+  const LessonQuantity& asked = progress_->current().question->asked;
+  return umbra::measured(report->probe, asked.quantity, asked.technique);
+}
+
+QString LessonController::cause() const {
+  const auto& report = prober_.behindVeil();
+  if (!progress_ || !progress_->current().question || !report) return {};
+  const LessonQuantity& asked = progress_->current().question->asked;
+  if (!infoOf(asked.quantity).ofTechnique) return {};
+  return QString::fromStdString(causeOf(report->probe, asked.technique));
+}
+
+void LessonController::enter(const Lesson& lesson) {
+  progress_ = LessonProgress{lesson, 0, {}};
+  show();
+}
+
+void LessonController::leave() {
+  if (!progress_) return;
+  progress_.reset();
+  refreshVeil();
+  session_.leave();
+  emit changed();
+}
+
+void LessonController::next() {
+  if (progress_ && !progress_->atLast()) goTo(progress_->step + 1);
+}
+
+void LessonController::back() {
+  if (progress_ && !progress_->atFirst()) goTo(progress_->step - 1);
+}
+
+void LessonController::restart() {
+  if (progress_) goTo(progress_->step);
+}
+
+void LessonController::predict(double value) {
+  if (!progress_ || !progress_->veiled()) return;
+  progress_->predicted[progress_->step] = value;
+  refreshVeil();
+  emit changed();
+}
+
+void LessonController::goTo(std::size_t step) {
+  progress_->step = step;
+  show();
+}
+
+// Veiled before the step's session is shown, so that nothing can be read on the way.
+void LessonController::show() {
+  refreshVeil();
+  session_.visit(progress_->current().session);
+  emit changed();
+}
+
+void LessonController::refreshVeil() {
+  const bool veiled = progress_ && progress_->veiled();
+  prober_.setVeil(veiled ? tr("Predict first: the lesson asks what comes out here.") : QString());
+}
+
+}  // namespace umbra

@@ -1,0 +1,50 @@
+// Leads through a lesson: which step is shown, what was predicted. The window's own session waits
+// in the session controller meanwhile.
+#pragma once
+
+#include <QObject>
+#include <optional>
+
+#include "ui/LessonProgress.h"
+
+namespace umbra {
+
+class Prober;
+class SessionController;
+
+class LessonController : public QObject {
+  Q_OBJECT
+
+ public:
+  LessonController(SessionController& session, Prober& prober, QObject* parent = nullptr);
+
+  // None while no lesson is read.
+  const std::optional<LessonProgress>& progress() const { return progress_; }
+  // What was asked for, at this probe; none before there is one.
+  std::optional<double> measurement() const;
+  // Why it is so, in one sentence; "" where nothing explains it.
+  QString cause() const;
+
+  void enter(const Lesson& lesson);
+  void leave();  // the window's own session comes back
+  void next();
+  void back();
+  // The present step from its beginning: whatever was changed in it is put back.
+  void restart();
+  void predict(double value);
+
+ signals:
+  void changed();   // progress() is another one, or gone
+  void measured();  // measurement() and cause() are new
+
+ private:
+  void goTo(std::size_t step);
+  void show();
+  void refreshVeil();
+
+  SessionController& session_;
+  Prober& prober_;
+  std::optional<LessonProgress> progress_;
+};
+
+}  // namespace umbra

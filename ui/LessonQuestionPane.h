@@ -1,0 +1,50 @@
+// The question of a lesson's step: a prediction by slider or number, then prediction, measurement
+// and cause side by side.
+#pragma once
+
+#include <QFrame>
+
+class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
+class QSlider;
+
+namespace umbra {
+
+class LessonController;
+
+class LessonQuestionPane : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit LessonQuestionPane(LessonController& lessons, QWidget* parent = nullptr);
+
+  QSlider* slider() { return slider_; }
+  QDoubleSpinBox* field() { return field_; }
+  QPushButton* button() { return button_; }
+  // What stands beside the prediction, once it was given; else empty.
+  QString measuredText() const;
+  QString verdict() const;
+
+  // After another step, or a prediction.
+  void refresh();
+
+ signals:
+  void answered();
+
+ private:
+  QWidget* makeEntry();
+  QWidget* makeAnswer();
+  void refreshAnswer();
+  void predict();
+
+  LessonController& lessons_;
+  QLabel* text_;
+  QWidget *entry_, *answer_;
+  QSlider* slider_;
+  QDoubleSpinBox* field_;
+  QPushButton* button_;
+  QLabel *predicted_, *measured_, *quantity_, *verdict_, *cause_, *explanation_;
+};
+
+}  // namespace umbra
