@@ -49,11 +49,14 @@ std::string inlineSvg(const std::string& svg) {
 }
 
 std::string captionOf(const Session& session, const SceneProbe& probe) {
-  return "Scene " + shortNameOf(session.source) + ", technique " + session.technique + ", " +
-         describe(session.frame.kernel) + ", map of " + std::to_string(session.frame.map.size) +
-         " texels a side, stored as " + std::string(nameOf(session.frame.map.format)) +
-         ". The ring marks pixel " + std::to_string(probe.pixel.x) + ", " +
-         std::to_string(probe.pixel.y) + ".";
+  std::string adjusted;
+  for (const auto& [name, value] : session.source.parameters)
+    adjusted += (adjusted.empty() ? " with " : ", ") + name + " " + shortNumber(value);
+  return "Scene " + shortNameOf(session.source) + adjusted + ", technique " + session.technique +
+         ", " + describe(session.frame.kernel) + ", map of " +
+         std::to_string(session.frame.map.size) + " texels a side, stored as " +
+         std::string(nameOf(session.frame.map.format)) + ". The ring marks pixel " +
+         std::to_string(probe.pixel.x) + ", " + std::to_string(probe.pixel.y) + ".";
 }
 
 std::string pictureHtml(Display& display, const LessonStep& step, const StepResult& result) {

@@ -46,9 +46,7 @@ class QtVtkDisplay final : public Display {
     return plotSvg(plot);
   }
 
-  std::string pngOf(const Image<std::uint8_t>& picture) override {
-    return umbra::pngOf(picture);
-  }
+  std::string pngOf(const Image<std::uint8_t>& picture) override { return umbra::pngOf(picture); }
 
  private:
   // Text needs an application, which without a display is one that draws off screen.
