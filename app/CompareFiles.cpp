@@ -5,6 +5,28 @@
 #include "filters/core/Text.h"
 
 namespace umbra {
+namespace {
+
+// A second table of what each technique's mean error consists of; "" where nobody asked for it.
+std::string decompositionText(const std::vector<MetricsRow>& rows) {
+  std::vector<TableRow> table{{"TECHNIQUE", "ERROR"}};
+  for (int i = 0; i < errorPartCount; ++i) {
+    std::string heading;
+    for (const char letter : nameOf(ErrorPart(i))) {  // "contactLeak" is "CONTACT LEAK"
+      if (letter >= 'A' && letter <= 'Z') heading += ' ';
+      heading += letter >= 'a' ? char(letter - 'a' + 'A') : letter;
+    }
+    table.front().push_back(heading);
+  }
+  for (const MetricsRow& row : rows) {
+    if (!row.decomposition) continue;
+    table.push_back({row.technique, shortNumber(row.decomposition->error)});
+    for (double mean : row.decomposition->means) table.back().push_back(shortNumber(mean));
+  }
+  return table.size() > 1 ? "\n" + tableText(table) : "";
+}
+
+}  // namespace
 
 void writeCompare(OutputFolder& folder, const std::vector<MetricsRow>& rows) {
   const Json object = compareToJson(rows);
@@ -27,12 +49,12 @@ void writeCompare(OutputFolder& folder, const std::vector<MetricsRow>& rows) {
 std::string compareText(const std::vector<MetricsRow>& rows) {
   std::vector<TableRow> table{
       {"TECHNIQUE", "RMSE", "MAE", "BLEEDING", "DARKENING", "MAX", "MIN", "UMBRA BLEEDING"}};
-  for (const auto& [id, m, reduction] : rows)
+  for (const auto& [id, m, reduction, decomposition] : rows)
     table.push_back({id, shortNumber(m.rmse), shortNumber(m.mae), shortNumber(m.bleeding),
                      shortNumber(m.darkening), shortNumber(m.max), shortNumber(m.min),
                      shortNumber(m.umbraBleeding)});
   const std::size_t samples = rows.empty() ? 0 : rows.front().metrics.samples;
-  return tableText(table) + "\n" + std::to_string(samples) + " samples\n";
+  return tableText(table) + decompositionText(rows) + "\n" + std::to_string(samples) + " samples\n";
 }
 
 }  // namespace umbra

@@ -1,19 +1,39 @@
 #include "app/ProbeFiles.h"
 
+#include <iterator>
+
 #include "analysis/Explain.h"
+#include "analysis/ExplainingPlots.h"
 #include "analysis/ProbePlots.h"
+#include "app/Cancellation.h"
 #include "app/PlotFiles.h"
 #include "app/Table.h"
+#include "datasets/SceneCatalogue.h"
 #include "filters/core/AtomicFile.h"
 #include "filters/core/Text.h"
 
 namespace umbra {
 
 void writeProbe(OutputFolder& folder, Display& display, const Probe& probe, const Json& json,
-                std::string_view selected, int bins) {
+                std::string_view selected, int bins, std::vector<Plot> more) {
   writeTextAtomically(folder.file("probe.json"), toText(json));
-  const Plot plots[] = {curvesPlot(probe, selected), histogramPlot(probe, bins), cdfPlot(probe)};
+  std::vector<Plot> plots{curvesPlot(probe, selected), histogramPlot(probe, bins), cdfPlot(probe)};
+  plots.insert(plots.end(), std::make_move_iterator(more.begin()),
+               std::make_move_iterator(more.end()));
   writePlots(folder, display, plots);
+}
+
+std::vector<Plot> explainingPlotsOf(const ProbeRequest& request, const Probe& probe,
+                                    const Session& session) {
+  const SceneSource& source = session.source;
+  ExplainingInput input{request, probe, session.technique, {}};
+  if (source.kind == SourceKind::Catalogue)
+    input.planes = planeDepthsOf(source.name, source.parameters);
+  std::vector<Plot> plots;
+  for (const ExplainingPlot& each : explainingPlots())
+    if (auto plot = explainingPlot(each.name, input, throwIfCancelled))
+      plots.push_back(std::move(*plot));
+  return plots;
 }
 
 std::string probeText(const Probe& probe) {

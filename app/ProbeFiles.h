@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "analysis/Probe.h"
 #include "app/Output.h"
@@ -9,10 +10,15 @@
 
 namespace umbra {
 
-// probe.json, and the plots curves, histogram and cdf each as .png, .svg, .pdf and .csv. The curve
-// of technique `selected` is emphasised.
+// probe.json, and the plots curves, histogram and cdf, and those of `more`, each as .png, .svg,
+// .pdf and .csv. The curve of technique `selected` is emphasised.
 void writeProbe(OutputFolder& folder, Display& display, const Probe& probe, const Json& json,
-                std::string_view selected, int bins);
+                std::string_view selected, int bins, std::vector<Plot> more = {});
+
+// Every explaining plot that has something to show of the probe that was taken of `request`. Can be
+// interrupted.
+std::vector<Plot> explainingPlotsOf(const ProbeRequest& request, const Probe& probe,
+                                    const Session& session);
 
 // For people: the region, its statistics and a row for every technique.
 std::string probeText(const Probe& probe);

@@ -78,6 +78,13 @@ Json curvesToJson(const Probe& probe, int samples) {
   return object;
 }
 
+Json decompositionToJson(const ErrorSums& sums) {
+  Json object = {{"error", sums.error}};
+  for (int i = 0; i < errorPartCount; ++i)
+    object[std::string(nameOf(ErrorPart(i)))] = sums.means[i];
+  return object;
+}
+
 }  // namespace
 
 Json parametersOf(const Technique& technique) {
@@ -113,7 +120,7 @@ void addTraces(Json& object, const Probe& probe) {
 
 Json compareToJson(const std::vector<MetricsRow>& rows) {
   Json techniques = Json::array();
-  for (const auto& [id, metrics, reduction] : rows) {
+  for (const auto& [id, metrics, reduction, decomposition] : rows) {
     Json row = {{"name", id},
                 {"rmse", metrics.rmse},
                 {"mae", metrics.mae},
@@ -127,6 +134,7 @@ Json compareToJson(const std::vector<MetricsRow>& rows) {
                                   {"darkening", reduction->meanDarkening},
                                   {"maxDarkening", reduction->darkening},
                                   {"removesAll", reduction->removesAll}};
+    if (decomposition) row["decomposition"] = decompositionToJson(*decomposition);
     techniques.push_back(row);
   }
   return {{"format", "umbrascope-compare/1"},

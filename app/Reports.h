@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/BleedReduction.h"
+#include "analysis/ErrorDecomposition.h"
 #include "analysis/Metrics.h"
 #include "analysis/Probe.h"
 #include "app/Output.h"
@@ -32,16 +33,19 @@ struct ProbeReport {
 Json probeToJson(const Probe& probe, const DepthMap& map, const ProbeReport& report);
 
 // Adds to each technique of probeToJson its "trace": {"steps": [{"symbol", "meaning", "formula",
-// "value"}], "cause", "step", "sentence", "shares": [{"cause", "step", "amount"}]}. Steps count from
-// 0; that of no cause is null. The shares sum to the error, in a seam that of the heavier part.
+// "value"}], "cause", "step", "sentence", "shares": [{"cause", "step", "amount"}]}. Steps count
+// from 0; that of no cause is null. The shares sum to the error, in a seam that of the heavier
+// part.
 void addTraces(Json& object, const Probe& probe);
 
 struct MetricsRow {
   std::string technique;
   Metrics metrics;
   std::optional<BleedReduction> reduction;  // of techniques that have the parameter
+  std::optional<ErrorSums> decomposition;   // of the mean signed error, where asked for
 };
 // "umbrascope-compare/1". The darkening of a smallest reduction is a mean, as that of the metrics.
+// The parts of a decomposition are means over all samples and add up to its "error".
 Json compareToJson(const std::vector<MetricsRow>& rows);
 
 // The entry of one technique or scene in its catalogue.

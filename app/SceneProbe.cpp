@@ -2,6 +2,7 @@
 
 #include "analysis/ReceiverPixels.h"
 #include "app/Cancellation.h"
+#include "app/FrameReads.h"
 #include "app/Reports.h"
 #include "filters/core/Error.h"
 
@@ -51,22 +52,8 @@ SceneProbe probeScene(HeadlessFrame& frame, const Session& session,
     surfaces.push_back(surfaceOf(frame, session, pixel));
   }
   const SurfacePoint& surface = surfaces.front();
-  const FrameSettings& settings = session.frame;
-  ProbeRequest request{.map = frame.depthMap(surface.cascade),
-                       .read = {settings.read.filter, surface.u, surface.v, surface.footprint},
-                       .kernel = settings.kernel,
-                       .format = settings.map.format,
-                       .receiver = session.receiver.value_or(surface.receiver),
-                       .cascade = surface.cascade,
-                       .satPrecision = settings.read.satPrecision};
-  if (surface.nextCascade > 0.0) {
-    const std::vector<Cascade>& cascades = frame.cascades();
-    const int next = surface.cascade + 1;
-    request.seam.emplace(SeamPart{
-        frame.depthMap(next),
-        readInCascade(request.read, cascades[surface.cascade], cascades[next], settings.kernel),
-        surface.nextCascade});
-  }
+  ProbeRequest request = requestAt(frame, session.frame, surface);
+  request.receiver = session.receiver.value_or(surface.receiver);
   const DepthMap& first = frame.depthMap(0);
   for (const auto& technique : techniques) {
     technique->adapt(first);

@@ -4,6 +4,7 @@
 #include "analysis/CompareMap.h"
 #include "app/Cancellation.h"
 #include "app/CompareFiles.h"
+#include "app/FrameDecomposition.h"
 #include "app/Reports.h"
 #include "app/SceneCompare.h"
 #include "app/SceneSources.h"
@@ -27,7 +28,7 @@ struct CompareCommand {
 
   SessionOptions options;
   std::optional<std::string> receiver, folder;
-  bool json = false;
+  bool json = false, decompose = false;
   TechniqueCatalogue catalogue = allTechniques();
 };
 
@@ -41,6 +42,11 @@ CompareCommand::CompareCommand(CLI::App& command) {
       .add_option("-o,--output", folder,
                   "Write compare.json, compare.csv and, of a scene, each technique's error picture")
       ->type_name("DIR")
+      ->group(group);
+  command
+      .add_flag("--decompose", decompose,
+                "Of a scene: also take each technique's error apart, into bleeding, contact leak, "
+                "over-darkening, reduction and precision")
       ->group(group);
   command.add_flag("--json", json, "Print one JSON object")->group(group);
   command.footer(
@@ -69,6 +75,8 @@ void CompareCommand::compareMap(Session session) const {
   if (receiver) session.receiver = numberFrom(*receiver, "--receiver", {0.0, 1.0});
   if (!session.receiver)
     throw Error(ErrorKind::BadCommandLine, "--receiver: is missing, give --receiver Z");
+  if (decompose)
+    throw Error(ErrorKind::BadCommandLine, "--decompose: goes with a scene, not with --depth");
   if (!options.namesFormat() && !options.namesSession())
     session.frame.map.format = StorageFormat::Double;
   session.frame.read.filter = ReadFilter::Point;  // of every texel
@@ -112,7 +120,10 @@ void CompareCommand::compareScene(const Session& session) const {
     const std::string id(technique->info().id);
     frame->render(*technique, ViewMode::Error);
     if (files) display->writePictures({{id, frame->colour()}}, files->file("error-" + id + ".png"));
+    std::optional<ErrorSums> parts;
+    if (decompose) parts = sumsOf(decomposeFrame(*frame, session.frame, *technique));
     rows.push_back(compareFrame(*frame, *technique));
+    rows.back().decomposition = parts;
   }
   throwIfCancelled();
   if (json) return printJson(compareToJson(rows));

@@ -1,6 +1,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/FrameReads.h"
 #include "app/ProbeFiles.h"
 #include "app/Reports.h"
 #include "app/SceneProbe.h"
@@ -23,7 +24,8 @@ struct ProbeCommand {
   void probePixel(const Session& session) const;
   std::vector<std::shared_ptr<Technique>> techniques(const Session& session) const;
   // Writes or prints what was asked for.
-  void finish(const Probe& probe, const Json& json, const Session& session, Display* display) const;
+  void finish(const ProbeRequest& request, const Probe& probe, const Json& json,
+              const Session& session, Display* display) const;
 
   SessionOptions options;
   std::optional<std::string> texel, pixel, receiver, bins, samples, folder;
@@ -112,7 +114,7 @@ void ProbeCommand::probeDepthMap(Session session) const {
   Json object =
       probeToJson(probe, map, {shortNameOf(session.source), binsOf(bins), samplesOf(samples)});
   if (trace) addTraces(object, probe);
-  finish(probe, object, session, nullptr);
+  finish(request, probe, object, session, nullptr);
 }
 
 void ProbeCommand::probePixel(const Session& session) const {
@@ -134,16 +136,20 @@ void ProbeCommand::probePixel(const Session& session) const {
   Json object = sceneProbeToJson(probe, frame->depthMap(), name, session.frame.read.filter,
                                  binsOf(bins), samplesOf(samples));
   if (trace) addTraces(object, probe.probe);
-  finish(probe.probe, object, session, display.get());
+  ProbeRequest request = requestAt(*frame, session.frame, probe.surface);
+  request.receiver = probe.probe.receiver;
+  request.techniques.assign(chosen.begin(), chosen.end());
+  finish(request, probe.probe, object, session, display.get());
 }
 
-void ProbeCommand::finish(const Probe& probe, const Json& object, const Session& session,
-                          Display* display) const {
+void ProbeCommand::finish(const ProbeRequest& request, const Probe& probe, const Json& object,
+                          const Session& session, Display* display) const {
   if (json) return printJson(object);
   if (!folder) return print(probeText(probe) + (trace ? tracesText(probe) : std::string()));
   OutputFolder files(*folder);
   const std::unique_ptr<Display> own = display ? nullptr : loadDisplay();
-  writeProbe(files, display ? *display : *own, probe, object, session.technique, binsOf(bins));
+  writeProbe(files, display ? *display : *own, probe, object, session.technique, binsOf(bins),
+             explainingPlotsOf(request, probe, session));
   files.finish();
 }
 
