@@ -75,7 +75,7 @@ Plot precisionPlot(const TechniquePrecision& precision) {
   for (std::size_t c = 0; c < layout.size(); c += step)
     plot.markers.push_back({MarkerAxis::Vertical, double(c + 1), layout[c].name, "#c3cad2", true});
   plot.markers.push_back({MarkerAxis::Vertical, double(layout.size() + 1), "visibility",
-                          std::string(errorColour), true});
+                          std::string(referenceColour), true});
   return plot;
 }
 

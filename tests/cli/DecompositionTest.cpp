@@ -1,0 +1,93 @@
+// compare --decompose: where the error of a frame comes from.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/cli/Process.h"
+#include "tests/cli/SmallMap.h"
+
+namespace umbra::cli {
+namespace {
+
+const char* const parts[] = {"bleeding",  "contactLeak", "overDarkening",
+                             "reduction", "precision",   "small"};
+
+Json decompose(const std::string& techniques, const Arguments& more = {}) {
+  Arguments arguments{"compare",      "--json",      "--decompose", "--scene",
+                      "three-planes", "--technique", techniques,    "--size",
+                      "160x120",      "--map-size",  "256"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return run(arguments).json()["techniques"];
+}
+
+TEST(Decomposition, PartsAddUpToTheMeanError) {
+  for (const Json& row : decompose("vsm,esm,csm,power-cdf,pcf")) {
+    const Json& found = row["decomposition"];
+    double sum = 0.0;
+    for (const char* part : parts) {
+      ASSERT_TRUE(found.contains(part)) << part;
+      sum += found[part].get<double>();
+    }
+    // Means of 20 000 doubles of magnitude up to 1, added in two orders.
+    EXPECT_NEAR(sum, found["error"], 1e-12) << row["name"];
+    EXPECT_NEAR(found["error"], row["bleeding"].get<double>() - row["darkening"].get<double>(),
+                1e-12)
+        << row["name"];
+    EXPECT_EQ(found["reduction"], 0.0);
+    EXPECT_GE(found["bleeding"], 0.0);
+    EXPECT_GE(found["contactLeak"], 0.0);
+    EXPECT_LE(found["overDarkening"], 0.0);
+  }
+}
+
+// Lauritzen 2008, fig. 3.4: what bleeds comes from A, far above B and C.
+TEST(Decomposition, OccludersFarApartBleed) {
+  const Json rows = decompose("vsm,pcf");
+  const Json &vsm = rows[0]["decomposition"], &pcf = rows[1]["decomposition"];
+  EXPECT_GT(vsm["bleeding"], 0.005);
+  EXPECT_GT(vsm["bleeding"], 0.9 * vsm["error"].get<double>());
+  EXPECT_EQ(pcf["bleeding"], 0.0);
+  EXPECT_EQ(pcf["overDarkening"], 0.0);
+}
+
+TEST(Decomposition, ReductionAndPrecisionAreToldApart) {
+  const Json reduced = decompose("vsm", {"--set", "vsm.bleed-reduction=0.3"})[0]["decomposition"];
+  EXPECT_LT(reduced["reduction"], -0.005);
+  EXPECT_GT(reduced["bleeding"], 0.005);  // that there is to be reduced
+  const auto precision = [](const char* format) {
+    return std::abs(
+        decompose("vsm", {"--format", format})[0]["decomposition"]["precision"].get<double>());
+  };
+  EXPECT_GT(precision("unorm8"), 10.0 * precision("float"));
+}
+
+TEST(Decomposition, OtherReadsAreTakenApartAsWell) {
+  for (const Arguments& more : {Arguments{"--filter", "trilinear"}, Arguments{"--cascades", "3"}}) {
+    const Json row = decompose("vsm", more)[0];
+    const Json& found = row["decomposition"];
+    EXPECT_NEAR(found["error"], row["bleeding"].get<double>() - row["darkening"].get<double>(),
+                1e-12);
+    // Floats store these depths well: a read that were not the frame's own would show here.
+    EXPECT_LT(std::abs(found["precision"].get<double>()), 0.01 * found["bleeding"].get<double>())
+        << more[0];
+  }
+}
+
+TEST(Decomposition, IsOfScenesOnlyAndOnlyWhenAskedFor) {
+  const TemporaryFolder folder;
+  writeMap(folder.file("m.exr"), smallMap());
+  const Outcome map = run({"compare", "--depth", folder.file("m.exr"), "--receiver", "0.5",
+                           "--technique", "vsm", "--decompose"});
+  EXPECT_EQ(map.status, 2);
+  EXPECT_NE(map.err.find("--decompose"), std::string::npos) << map.err;
+  const Json plain = run({"compare", "--json", "--scene", "two-planes", "--technique", "vsm",
+                          "--size", "64x48", "--map-size", "64"})
+                         .json();
+  EXPECT_FALSE(plain["techniques"][0].contains("decomposition"));
+  const Outcome text = run({"compare", "--scene", "two-planes", "--technique", "vsm", "--size",
+                            "64x48", "--map-size", "64", "--decompose"});
+  EXPECT_NE(text.out.find("CONTACT LEAK"), std::string::npos) << text.out;
+}
+
+}  // namespace
+}  // namespace umbra::cli
