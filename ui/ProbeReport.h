@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,8 @@ namespace umbra {
 
 struct ProbeReport {
   Probe probe;
+  // What the probe was taken of. Its maps are there only while the report is being announced.
+  std::shared_ptr<const ProbeRequest> request;
   Pixel pixel;          // of the view (device pixels), or the texel of a depth file
   bool pinned = false;  // by a click; else it follows the pointer
   int cascade = 0;      // on whose map it lies

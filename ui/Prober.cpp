@@ -255,6 +255,7 @@ ProbeReport Prober::probe(ProbeRequest request, const DepthMap& first, int revis
   request.techniques = adapted_;
   ProbeReport report;
   report.probe = takeProbe(request);
+  report.request = std::make_shared<const ProbeRequest>(std::move(request));
   return report;
 }
 

@@ -1,0 +1,149 @@
+#include "ui/ExplainPane.h"
+
+#include <QComboBox>
+#include <QMetaObject>
+#include <QVBoxLayout>
+#include <exception>
+
+#include "datasets/SceneCatalogue.h"
+#include "ui/Prober.h"
+#include "ui/SessionController.h"
+#include "ui/widgets/Controls.h"
+#include "ui/widgets/PlotPane.h"
+#include "ui/widgets/Style.h"
+
+namespace umbra {
+namespace {
+
+constexpr int stillFor = 200;  // ms
+
+// A request with maps of its own, for another thread.
+struct OwnRequest {
+  explicit OwnRequest(const ProbeRequest& other)
+      : map(other.map), next(other.seam ? other.seam->map : DepthMap()) {}
+
+  ProbeRequest with(const ProbeRequest& other) const {
+    ProbeRequest request{.map = map,
+                         .read = other.read,
+                         .kernel = other.kernel,
+                         .format = other.format,
+                         .receiver = other.receiver,
+                         .techniques = other.techniques,
+                         .cascade = other.cascade,
+                         .satPrecision = other.satPrecision};
+    if (other.seam) request.seam.emplace(SeamPart{next, other.seam->read, other.seam->weight});
+    return request;
+  }
+
+  DepthMap map, next;
+};
+
+}  // namespace
+
+ExplainPane::ExplainPane(SessionController& controller, Prober& prober, QWidget* parent)
+    : QWidget(parent),
+      controller_(controller),
+      prober_(prober),
+      chooser_(new QComboBox),
+      plot_(new PlotPane) {
+  for (const ExplainingPlot& each : explainingPlots())
+    chooser_->addItem(style::text(each.title), style::text(each.name));
+  chooser_->setToolTip(tr("Which plot of the probe to show"));
+  ignoreWheelWithoutFocus(chooser_);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(6);
+  layout->addWidget(chooser_);
+  layout->addWidget(plot_, 1);
+  plot_->setMinimumSize(200, 150);
+  still_.setSingleShot(true);
+  still_.setInterval(stillFor);
+  connect(&prober_, &Prober::reported, this, &ExplainPane::refresh);
+  // A request refers to maps that are there only while a probe is being reported.
+  connect(&still_, &QTimer::timeout, this, [this] {
+    stoodStill_ = true;
+    prober_.refresh();
+    stoodStill_ = false;
+  });
+  connect(chooser_, QOverload<int>::of(&QComboBox::activated), &prober_, &Prober::refresh);
+  show(std::nullopt);
+}
+
+ExplainPane::~ExplainPane() = default;
+
+void ExplainPane::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  prober_.refresh();
+}
+
+const ExplainingPlot& ExplainPane::chosen() const {
+  return explainingPlots()[std::size_t(std::max(chooser_->currentIndex(), 0))];
+}
+
+ExplainingInput ExplainPane::inputFor(const ProbeRequest& request, const Probe& probe) const {
+  const Session& session = controller_.session();
+  ExplainingInput input{request, probe, session.technique, {}};
+  if (session.source.kind == SourceKind::Catalogue)
+    input.planes = planeDepthsOf(session.source.name, session.source.parameters);
+  return input;
+}
+
+void ExplainPane::refresh() {
+  ++asked_;  // what is being computed is of an older probe
+  thread_.request_stop();
+  still_.stop();
+  const auto& report = prober_.report();
+  if (!isVisible()) return;
+  if (!report || !report->request) {
+    show(std::nullopt);
+  } else if (!chosen().slow) {
+    show(explainingPlot(chosen().name, inputFor(*report->request, report->probe)));
+  } else if (stoodStill_) {
+    computeBeside(*report);
+  } else {
+    still_.start();
+  }
+}
+
+void ExplainPane::computeBeside(const ProbeReport& report) {
+  const auto own = std::make_shared<const OwnRequest>(*report.request);
+  const ProbeRequest request = own->with(*report.request);
+  const Probe probe = report.probe;
+  const ExplainingInput described = inputFor(request, probe);
+  thread_ = std::jthread([this, own, request, probe, described, number = asked_,
+                          name = chosen().name](const std::stop_token& stop) {
+    struct Stopped {};
+    std::optional<Plot> plot;
+    try {
+      plot = explainingPlot(name, {request, probe, described.selected, described.planes}, [&] {
+        if (stop.stop_requested()) throw Stopped{};
+      });
+    } catch (const Stopped&) {
+      return;
+    } catch (const std::exception&) {
+      // Nothing to show: the probe's own panes say why.
+    }
+    QMetaObject::invokeMethod(
+        this, [this, number, plot] { finished(number, plot); }, Qt::QueuedConnection);
+  });
+}
+
+void ExplainPane::finished(int number, const std::optional<Plot>& plot) {
+  if (number == asked_) show(plot);
+}
+
+void ExplainPane::show(const std::optional<Plot>& plot) {
+  if (plot) {
+    plot_->setPlot(*plot);
+    return;
+  }
+  plot_->setTitle(style::text(chosen().title));
+  if (!prober_.veil().isEmpty())
+    plot_->clear(prober_.veil());
+  else if (!prober_.report())
+    plot_->clear(tr("Point at a shadow: the plot of its region appears here."));
+  else
+    plot_->clear(tr("This plot has nothing to show of this region."));
+}
+
+}  // namespace umbra

@@ -1,0 +1,54 @@
+// One more plot of the probe, chosen from a list.
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+#include <optional>
+#include <thread>
+
+#include "analysis/ExplainingPlots.h"
+#include "ui/ProbeReport.h"
+
+class QComboBox;
+
+namespace umbra {
+
+class PlotPane;
+class Prober;
+class SessionController;
+
+// Shows the chosen plot while it is visible and computes none otherwise. One that takes long is
+// computed beside the interface's thread, from copies of the maps, once the probe stands still.
+class ExplainPane : public QWidget {
+  Q_OBJECT
+
+ public:
+  ExplainPane(SessionController& controller, Prober& prober, QWidget* parent = nullptr);
+  // Waits for the step that is being computed.
+  ~ExplainPane() override;
+
+  PlotPane& plot() { return *plot_; }
+  QComboBox& chooser() { return *chooser_; }
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void refresh();
+  void computeBeside(const ProbeReport& report);
+  void finished(int number, const std::optional<Plot>& plot);
+  void show(const std::optional<Plot>& plot);
+  ExplainingInput inputFor(const ProbeRequest& request, const Probe& probe) const;
+  const ExplainingPlot& chosen() const;
+
+  SessionController& controller_;
+  Prober& prober_;
+  QComboBox* chooser_;
+  PlotPane* plot_;
+  QTimer still_;             // the probe has not moved since
+  bool stoodStill_ = false;  // the next report may be computed beside
+  int asked_ = 0;            // number of the computation that is wanted
+  std::jthread thread_;
+};
+
+}  // namespace umbra
