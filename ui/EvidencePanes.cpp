@@ -87,6 +87,11 @@ void EvidencePanes::refreshProbe() {
   const auto& report = prober_.report();
   if (!report) {
     showHints();
+    // Where it is read may be seen: a veil hides what comes out.
+    if (const auto& hidden = prober_.behindVeil(); hidden && hidden->pinned) {
+      map_->setRegion(ownRegion(hidden->probe));
+      map_->showRegion();
+    }
     return;
   }
   const Probe& probe = report->probe;

@@ -116,6 +116,9 @@ class MainWindow : public QMainWindow {
   CentrePane* centre_;
   LessonController* lessons_;
   LessonPane* lessonPane_ = nullptr;
+  // What waits beside the session while a lesson is read: the docks and where the probe is held.
+  QByteArray layoutBefore_;
+  std::optional<Eigen::Vector3d> pointBefore_;
   QDockWidget* lessonDock_ = nullptr;  // not among docks_: it is there during a lesson alone
   std::vector<QDockWidget*> docks_;
   QActionGroup *modes_, *techniques_;

@@ -8,6 +8,7 @@
 #include "ui/LessonController.h"
 #include "ui/LessonPane.h"
 #include "ui/MainWindow.h"
+#include "ui/Prober.h"
 #include "ui/widgets/Style.h"
 
 namespace umbra {
@@ -53,19 +54,23 @@ void MainWindow::makeLessonsMenu() {
 }
 
 void MainWindow::enterLesson(const Lesson& lesson) {
-  if (!controller_.visiting())  // where the probe is now is part of what waits
+  const bool entering = !lessons_->progress();
+  if (entering) {  // where the probe is now is part of what waits
     controller_.amend([own = sessionToSave()](Session& session) { session = own; });
-  const bool shown = !lessonDock_->isHidden();
+    pointBefore_ = prober_->pinnedPoint();
+    layoutBefore_ = saveState();
+  }
   lessons_->enter(lesson);
-  if (!shown) placeLessonDock();
+  if (entering) placeLessonDock();
 }
 
 void MainWindow::leaveLesson() {
-  lessonDock_->hide();
+  if (!lessons_->progress()) return;
   lessons_->leave();
+  prober_->holdPoint(pointBefore_);
   probeNextFrame_ = false;  // one's own session comes back as it was, with or without a probe
-  if (const QWidget* controls = docks_.front(); controls->isVisible())
-    resizeDocks({docks_.front()}, {width() < 1500 ? 268 : 290}, Qt::Horizontal);
+  restoreState(layoutBefore_);
+  lessonDock_->hide();
 }
 
 // On top of the controls: what is read takes the place of what is set.

@@ -36,6 +36,10 @@ class Prober : public QObject {
   void unpin();
   // Probes again where the probe is: after a frame, or a change.
   void refresh();
+  // World; where the pinned probe is held. Given back, it is held there again, whatever size the
+  // picture has by then.
+  const std::optional<Eigen::Vector3d>& pinnedPoint() const { return pinnedPoint_; }
+  void holdPoint(const std::optional<Eigen::Vector3d>& point) { pinnedPoint_ = point; }
   // Pins the pixel of the last frame where light bleeds most; none where no light bleeds.
   void pinWorstBleeding();
 

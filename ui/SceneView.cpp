@@ -212,6 +212,7 @@ void SceneView::drawFrame() {
     shadow_->render();
     framePeriod_ = double(timer.nsecsElapsed()) * 1e-6;
     drawn_ = true;
+    drawnScene_ = shown_.content.scene.get();
     const std::vector<double> splits = shadow_->adaptedSplits();
     channelsRevision_ += splits != splits_;
     splits_ = splits;
@@ -226,8 +227,8 @@ void SceneView::drawFrame() {
 }
 
 void SceneView::finishFrame() {
-  // Another document was asked for meanwhile: its probe is not to be looked for in this frame.
-  if (stale_) return;
+  // Another scene was asked for meanwhile: its probe is not to be looked for in this frame.
+  if (drawnScene_ != shown_.content.scene.get()) return;
   refreshOverlay();
   emit frameDrawn();
   if (!drawn_ || !shadow_->splitsMoving()) return;

@@ -83,6 +83,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   QTimer hoverTimer_;
   QPointF pointer_;  // logical pixels
   std::optional<QPointF> pressed_, lightGrip_;
+  const Scene* drawnScene_ = nullptr;  // by the last frame; only to be compared
   bool stale_ = true, drawn_ = false, painting_ = false;
   int mapRevision_ = 0, channelsRevision_ = 0;
   std::vector<double> splits_;  // of the last frame
