@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "filters/core/SortedSamples.h"
+
 namespace umbra {
 namespace {
 
@@ -18,57 +20,6 @@ double squaredDistances(const ClusterSums& cluster, double to) {
   const long double u = to - 0.5L;
   return std::max(0.0, double(cluster.second - 2.0L * u * cluster.first + u * u * cluster.weight));
 }
-
-// Samples in ascending order with running sums, so that an iteration costs a few look-ups however
-// many samples there are. Sums of a range are differences of running sums; they are kept in long
-// double, about mid-depth, lest the difference lose digits.
-class SortedSamples {
- public:
-  explicit SortedSamples(std::vector<WeightedSample> samples) : samples_(std::move(samples)) {
-    std::erase_if(samples_, [](const WeightedSample& s) { return s.weight <= 0.0; });
-    std::sort(samples_.begin(), samples_.end(),
-              [](const WeightedSample& a, const WeightedSample& b) { return a.value < b.value; });
-    sums_.resize(samples_.size() + 1);
-    for (std::size_t i = 0; i < samples_.size(); ++i) {
-      const long double w = samples_[i].weight, u = samples_[i].value - 0.5L;
-      const Sums& s = sums_[i];
-      sums_[i + 1] = {s.weight + w, s.first + w * u, s.second + w * u * u};
-    }
-  }
-
-  std::vector<ClusterSums> clusters(const std::vector<double>& ends) const {
-    std::vector<ClusterSums> clusters;
-    std::size_t begin = 0;
-    for (double end : ends) {
-      const std::size_t next = std::max(begin, countUpTo(end));
-      clusters.push_back(sums(begin, next));
-      begin = next;
-    }
-    clusters.push_back(sums(begin, samples_.size()));
-    return clusters;
-  }
-
- private:
-  struct Sums {
-    long double weight = 0.0L, first = 0.0L, second = 0.0L;
-  };
-
-  std::size_t countUpTo(double value) const {
-    return std::size_t(
-        std::upper_bound(samples_.begin(), samples_.end(), value,
-                         [](double v, const WeightedSample& s) { return v < s.value; }) -
-        samples_.begin());
-  }
-  ClusterSums sums(std::size_t begin, std::size_t end) const {
-    if (begin == end) return {};
-    return {sums_[end].weight - sums_[begin].weight, sums_[end].first - sums_[begin].first,
-            sums_[end].second - sums_[begin].second, samples_[begin].value,
-            samples_[end - 1].value};
-  }
-
-  std::vector<WeightedSample> samples_;
-  std::vector<Sums> sums_;
-};
 
 std::vector<double> uniformStart(int count) {
   std::vector<double> splits;

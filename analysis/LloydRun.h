@@ -1,0 +1,37 @@
+// Lloyd's relaxation, one iteration at a time, with all that came before it kept to be looked at.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "filters/core/SortedSamples.h"
+
+namespace umbra {
+
+// Where an iteration left the splits.
+struct LloydFrame {
+  std::vector<double> splits;  // ascending depths; μ + σ may lie a little beyond 1
+  double cost = 0.0;           // of these splits, depth²
+  int teleports = 0;           // up to here
+};
+
+class LloydRun {
+ public:
+  // Frame 0 is `start`: ascending, one value or more for a run that can advance.
+  LloydRun(std::shared_ptr<const SortedSamples> samples, std::vector<double> start);
+
+  const std::vector<LloydFrame>& frames() const { return frames_; }
+  std::vector<double> costs() const;
+  // One iteration that moves every split (Lauritzen 2008, §4.1.3); with a teleport where a split
+  // has no samples. False, and no further frame, where nothing moves any more.
+  bool advance();
+
+ private:
+  std::shared_ptr<const SortedSamples> samples_;
+  Relaxation relaxation_;
+  std::vector<LloydFrame> frames_;
+};
+
+}  // namespace umbra
