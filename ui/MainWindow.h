@@ -118,6 +118,7 @@ class MainWindow : public QMainWindow {
   LessonPane* lessonPane_ = nullptr;
   // What waits beside the session while a lesson is read: the docks and where the probe is held.
   QByteArray layoutBefore_;
+  int controlsWidth_ = 0;
   std::optional<Eigen::Vector3d> pointBefore_;
   QDockWidget* lessonDock_ = nullptr;  // not among docks_: it is there during a lesson alone
   std::vector<QDockWidget*> docks_;

@@ -59,6 +59,7 @@ void MainWindow::enterLesson(const Lesson& lesson) {
     controller_.amend([own = sessionToSave()](Session& session) { session = own; });
     pointBefore_ = prober_->pinnedPoint();
     layoutBefore_ = saveState();
+    controlsWidth_ = docks_.front()->width();
   }
   lessons_->enter(lesson);
   if (entering) placeLessonDock();
@@ -71,6 +72,7 @@ void MainWindow::leaveLesson() {
   probeNextFrame_ = false;  // one's own session comes back as it was, with or without a probe
   restoreState(layoutBefore_);
   lessonDock_->hide();
+  resizeDocks({docks_.front()}, {controlsWidth_}, Qt::Horizontal);
 }
 
 // On top of the controls: what is read takes the place of what is set.
