@@ -40,8 +40,7 @@ std::vector<WeightedSample> secondOccluderSamples(const DepthMap& map, WeightCla
       const double mean = 0.25 * (depths[0] + depths[1] + depths[2] + depths[3]);
       double variance = 0.0;
       for (double depth : depths) variance += 0.25 * (depth - mean) * (depth - mean);
-      samples.push_back(
-          {float(mean + std::sqrt(variance)), float(std::clamp(variance, clamp.low, clamp.high))});
+      samples.push_back({mean + std::sqrt(variance), std::clamp(variance, clamp.low, clamp.high)});
     }
   }
   return samples;

@@ -25,8 +25,7 @@ struct WeightClamp {
 
 // One sample between every four texels: the mean plus the standard deviation of the four depths,
 // which is the farther one where two depths share them evenly, weighted by their variance. Of a
-// texel's samples the first counts. Values and weights are rounded to single precision, as the GPU
-// keeps them: both then find every sample nearest to the same split.
+// texel's samples the first counts.
 // (width − 1)·(height − 1) samples, row by row; none for a map that is one texel wide or high.
 std::vector<WeightedSample> secondOccluderSamples(const DepthMap& map, WeightClamp clamp = {});
 

@@ -37,10 +37,10 @@ TEST(Lloyd, SamplesTheSecondOccluder) {
   map(0, 0) = map(1, 0) = 0.2;
   const auto samples = secondOccluderSamples(map);
   ASSERT_EQ(samples.size(), 1u);
-  EXPECT_EQ(samples[0].value, 0.7f);      // max{a, b} for equal shares
-  EXPECT_EQ(samples[0].weight, 0.0625f);  // ¼ (b − a)²
-  EXPECT_EQ(secondOccluderSamples(map, {.low = 0.1})[0].weight, 0.1f);
-  EXPECT_EQ(secondOccluderSamples(map, {.high = 0.01})[0].weight, 0.01f);
+  EXPECT_DOUBLE_EQ(samples[0].value, 0.7);      // max{a, b} for equal shares
+  EXPECT_DOUBLE_EQ(samples[0].weight, 0.0625);  // ¼ (b − a)²
+  EXPECT_EQ(secondOccluderSamples(map, {.low = 0.1})[0].weight, 0.1);
+  EXPECT_EQ(secondOccluderSamples(map, {.high = 0.01})[0].weight, 0.01);
   EXPECT_TRUE(secondOccluderSamples(DepthMap(5, 1, 1, 0.5)).empty());
 }
 

@@ -9,6 +9,7 @@
 #include "WeightedReduce_comp_glsl.h"
 #include "filters/core/Error.h"
 #include "filters/core/MipLevels.h"
+#include "filters/gpu/gl/DrawOrder.h"
 
 namespace umbra {
 namespace {
@@ -281,6 +282,7 @@ void ChannelBaker::upload(BakeStage which, const Image<float>& channels, int cas
 std::vector<float> ChannelBaker::evaluate(const gl::Texture& surfaces,
                                           const gl::Texture* footprints, Technique& technique,
                                           MapReads reads) {
+  gl::finishDraws();  // of the surfaces
   reads.samples = samples_;
   reads.cascades = cascades_;
   const gl::Texture result(GL_RG32F, surfaces.width(), surfaces.height());

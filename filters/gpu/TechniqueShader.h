@@ -29,7 +29,9 @@ struct MapReads {
   int cascades = 1;                                   // maps
   SatPrecision satPrecision = SatPrecision::Centred;  // of the table, where one is read
   // Left, top and side of each cascade's window in the whole light's (u, v).
-  std::array<Eigen::Vector3f, CascadeSettings::largestCount> windows{};
+  std::array<Eigen::Vector3f, CascadeSettings::largestCount> windows{
+      Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero(),
+      Eigen::Vector3f::Zero()};
 
   // Whether a read depends on more than its position.
   bool needFootprints() const {

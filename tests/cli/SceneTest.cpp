@@ -60,11 +60,12 @@ TEST(SceneProbe, EveryReadIsTakenApartAsTheGpuDidIt) {
     // Weights of a tap are right to some 2⁻²², in a sum over the region's taps. A tap in front of
     // the receiver for one side and behind it for the other would weigh its whole weight.
     const double taps = object["region"]["texels"];
-    for (const Json& row : object["techniques"])
-      if (row["name"] == "pcf")
-        EXPECT_NEAR(row["gpu"].get<double>(), row["visibility"].get<double>(),
-                    taps * std::ldexp(1.0, -22))
-            << filter;
+    for (const Json& row : object["techniques"]) {
+      if (row["name"] != "pcf") continue;
+      EXPECT_NEAR(row["gpu"].get<double>(), row["visibility"].get<double>(),
+                  taps * std::ldexp(1.0, -22))
+          << filter;
+    }
   }
 }
 

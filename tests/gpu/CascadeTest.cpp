@@ -8,101 +8,15 @@
 #include "filters/core/Error.h"
 #include "filters/core/Prefilter.h"
 #include "filters/gpu/ViewColours.h"
-#include "tests/gpu/FrameFixture.h"
+#include "tests/gpu/CascadeFixture.h"
 #include "tests/gpu/Rounding.h"
 
 namespace umbra {
 namespace {
 
 using Eigen::Vector3d;
-
-// A long ground with three rows of posts, seen from one end at a man's height.
-std::shared_ptr<Scene> avenue() {
-  auto scene = std::make_shared<Scene>();
-  scene->name = "avenue";
-  SceneObject ground, posts;
-  ground.name = "ground";
-  ground.mesh = test::rectangle({-30, 0, -60}, {0, 0, 80}, {60, 0, 0});
-  posts.name = "posts";
-  for (int row = 0; row < 14; ++row) {
-    for (float x : {-3.0f, 0.9f, 3.3f}) {
-      const float z = 13.0f - 4.6f * float(row) + 0.37f * x;
-      const Mesh post = test::box({x, 0, z}, {x + 0.3f, 2.1f, z + 0.3f});
-      const auto offset = std::uint32_t(posts.mesh.positions.size());
-      Mesh& all = posts.mesh;
-      all.positions.insert(all.positions.end(), post.positions.begin(), post.positions.end());
-      all.normals.insert(all.normals.end(), post.normals.begin(), post.normals.end());
-      for (const auto& [a, b, c] : post.triangles)
-        all.triangles.push_back({a + offset, b + offset, c + offset});
-    }
-  }
-  scene->objects = {ground, posts};
-  scene->light.position = {14, 20, 9};
-  scene->light.target = {0, 0, 0};
-  scene->camera.position = {0.4, 2.6, 18.0};
-  scene->camera.target = {0.2, 1.0, 8.0};
-  scene->camera.viewAngle = 40.0;
-  return scene;
-}
-
-Vector3d forwardOf(const Camera& camera) {
-  return (camera.target - camera.position).normalized();
-}
-
-class Cascaded : public test::FrameFixture {
- protected:
-  Cascaded() {
-    settings.map.size = 256;
-    settings.map.cascades.count = 3;
-  }
-
-  // One of a pixel's reads: of which map, where, and how much of the pixel it is.
-  struct Read {
-    int cascade;
-    double u, v, weight;
-    double shift;  // of u and v by the GPU's rounding
-  };
-  std::vector<Read> readsOf(const SurfacePoint& point) {
-    const Cascade& own = renderer->cascades()[std::size_t(point.cascade)];
-    // Multiplied by the size of the map.
-    const double shift = 4 * test::eps;
-    std::vector<Read> reads{{point.cascade, point.u, point.v, 1 - point.nextCascade, shift}};
-    if (point.nextCascade > 0.0) {
-      // Through the whole map, where windows and position are eight roundings of at most 1 each.
-      const Cascade& next = renderer->cascades()[std::size_t(point.cascade) + 1];
-      reads.push_back({point.cascade + 1, next.u(own.left + own.side * point.u),
-                       next.v(own.top + own.side * point.v), point.nextCascade,
-                       8 * test::eps / next.side + shift});
-    }
-    return reads;
-  }
-
-  // What `evaluate(map, u, v)` gives over a pixel's reads, and how far rounding may move it.
-  template <class Evaluate>
-  std::pair<double, double> over(const SurfacePoint& point, const Evaluate& evaluate) {
-    double value = 0.0, error = 0.0;
-    for (const Read& read : readsOf(point)) {
-      const DepthMap& map = renderer->depthMap(read.cascade);
-      const double exact = evaluate(map, read.u, read.v);
-      double worst = 0.0;
-      for (double du : {-read.shift, read.shift})
-        for (double dv : {-read.shift, read.shift})
-          worst = std::max(worst, std::abs(evaluate(map, read.u + du, read.v + dv) - exact));
-      value += read.weight * exact;
-      error += 2 * worst;
-    }
-    return {value, error};
-  }
-
-  Region regionAt(const DepthMap& map, double u, double v) {
-    return regionOf(map, settings.kernel, {settings.read.filter, u, v, {}});
-  }
-  double visibilityIn(const DepthMap& map, double u, double v, double receiver) {
-    const std::vector<double> channels =
-        readBilinear(map, *technique, settings.kernel, settings.map.format, u, v);
-    return technique->visibility({channels, regionAt(map, u, v)}, receiver);
-  }
-};
+using test::Cascaded;
+using test::forwardOf;
 
 // Windows that all are the whole map: the same picture as one map makes.
 TEST_F(Cascaded, CascadesOfTheWholeMapChangeNothing) {
@@ -136,7 +50,7 @@ TEST_F(Cascaded, CascadesOfTheWholeMapChangeNothing) {
 TEST_F(Cascaded, EveryPixelIsDrawnFromTheCascadeOfItsDistance) {
   for (LightKind kind : {LightKind::Directional, LightKind::Spot}) {
     SCOPED_TRACE(nameOf(kind));
-    const auto scene = avenue();
+    const auto scene = test::avenue();
     scene->light.kind = kind;
     scene->light.halfAngle = 50;
     if (kind == LightKind::Spot) scene->light.position = {6, 24, 22};
@@ -181,7 +95,7 @@ TEST_F(Cascaded, AgreesWithTheReferenceInEveryCascadeAndSeam) {
   settings.map.cascades.seam = 0.3;
   for (const char* id : {"pcf", "vsm", "power-cdf"}) {
     SCOPED_TRACE(id);
-    show(avenue(), id);
+    show(test::avenue(), id);
     const Image<float> reference = renderer->reference();
     int compared = 0, penumbra = 0, seams = 0;
     for (int y = 0; y < height; y += 3) {
@@ -223,7 +137,7 @@ TEST_F(Cascaded, AgreesWithTheReferenceInEveryCascadeAndSeam) {
 // A step aside and a turn move each window by whole texels: the depths that two windows share are
 // the same but for rounding, which moves edges by far less than a fiftieth of a texel.
 TEST_F(Cascaded, DepthsStandStillWhileTheCameraMoves) {
-  const auto scene = avenue();
+  const auto scene = test::avenue();
   show(scene, "vsm");
   const std::vector<Cascade> before = renderer->cascades();
   std::vector<DepthMap> maps;
@@ -269,7 +183,7 @@ TEST_F(Cascaded, EveryTechniqueStaysWithinItsBounds) {
   for (const Technique* each : catalogue.all()) {
     for (LightKind kind : {LightKind::Directional, LightKind::Spot}) {
       SCOPED_TRACE(std::string(each->info().id) + ", " + std::string(nameOf(kind)));
-      const auto scene = avenue();
+      const auto scene = test::avenue();
       scene->light.kind = kind;
       scene->light.halfAngle = 50;
       show(scene, each->info().id);
@@ -290,7 +204,7 @@ TEST_F(Cascaded, EveryTechniqueStaysWithinItsBounds) {
 // What cascades are for: near the camera, shadows are nearer to those of a map as large as maps
 // get.
 TEST_F(Cascaded, SharpenWhatIsNear) {
-  const auto scene = avenue();
+  const auto scene = test::avenue();
   settings.kernel = {KernelShape::Box, 1};
   const auto visibilities = [&](const char* id, int size, int count) {
     settings.map.size = size;
@@ -318,7 +232,7 @@ TEST_F(Cascaded, SharpenWhatIsNear) {
 }
 
 TEST_F(Cascaded, RedoOnlyWhatChanged) {
-  const auto scene = avenue();
+  const auto scene = test::avenue();
   show(scene, "vsm");
   EXPECT_EQ(passes(), "depth encode prefilter shade view");
   settings.view = ViewMode::Cascades;
@@ -348,7 +262,7 @@ Vector3d hue(const Image<std::uint8_t>& colour, int x, int y) {
 
 TEST_F(Cascaded, TheViewTintsEachInItsColour) {
   settings.view = ViewMode::Cascades;
-  show(avenue(), "vsm");
+  show(test::avenue(), "vsm");
   const Image<std::uint8_t> colour = renderer->colour();
   int seen[3] = {}, mixed = 0;
   for (int y = 0; y < height; y += 2) {
@@ -374,7 +288,7 @@ TEST_F(Cascaded, TheViewTintsEachInItsColour) {
 }
 
 TEST_F(Cascaded, AFrozenViewIsDrawnAndCastsNoShadow) {
-  const auto scene = avenue();
+  const auto scene = test::avenue();
   Camera above = scene->camera;
   above.position = {30, 35, 40};
   above.target = {0, 0, 0};

@@ -5,6 +5,7 @@
 #include "filters/core/Lloyd.h"
 #include "filters/core/Prefilter.h"
 #include "filters/gpu/ChannelBaker.h"
+#include "tests/gpu/FloatSamples.h"
 #include "tests/gpu/FrameFixture.h"
 #include "tests/gpu/ParityFixture.h"
 
@@ -110,7 +111,7 @@ TEST_F(Layered, AFrameHasTheReferencesSplits) {
   EXPECT_EQ(passes(), "splits encode prefilter shade view");
   EXPECT_FALSE(renderer->splitsMoving());
   const std::vector<double> splits = renderer->adaptedSplits();
-  const LloydResult reference = relax(secondOccluderSamples(renderer->depthMap()), {.splits = 3});
+  const LloydResult reference = relax(test::floatSamples(renderer->depthMap()), {.splits = 3});
   ASSERT_EQ(splits.size(), 3u);
   // Means of sums of at most (1024/128)² + 2·128 terms in double.
   for (int k = 0; k < 3; ++k)
@@ -143,7 +144,7 @@ TEST_F(Layered, AFrameWhoseLightMovedUsesItsOwnDepths) {
     renderer->render();
     EXPECT_EQ(passes(), "depth splits encode prefilter shade view");
     const DepthMap map = renderer->depthMap();
-    const LloydResult all = relax(secondOccluderSamples(map), {.splits = 2});
+    const LloydResult all = relax(test::floatSamples(map), {.splits = 2});
     const std::vector<double> splits = renderer->adaptedSplits();
     for (int k = 0; k < 2; ++k)
       ASSERT_NEAR(splits[k], all.splits[k], 2.0 * 272 * unitRoundoff(StorageFormat::Double));
@@ -184,7 +185,7 @@ TEST_F(Layered, InAWindowSplitsMoveFromFrameToFrame) {
   }
   EXPECT_FALSE(renderer->splitsMoving());
   const std::vector<double> splits = renderer->adaptedSplits();
-  const std::vector<WeightedSample> samples = secondOccluderSamples(map);
+  const std::vector<WeightedSample> samples = test::floatSamples(map);
   const LloydResult two = relax(samples, {.splits = 3, .movedPerIteration = 2});
   EXPECT_EQ(frames, 1 + two.iterations + two.teleports);
   renderer->render();
@@ -201,7 +202,7 @@ TEST_F(Layered, InAWindowSplitsMoveFromFrameToFrame) {
   renderer->setSplitPace(SplitPace::Converged);
   renderer->render();
   EXPECT_FALSE(renderer->splitsMoving());
-  const LloydResult all = relax(secondOccluderSamples(renderer->depthMap()), {.splits = 3});
+  const LloydResult all = relax(test::floatSamples(renderer->depthMap()), {.splits = 3});
   for (int k = 0; k < 3; ++k)
     EXPECT_NEAR(renderer->adaptedSplits()[k], all.splits[k],
                 2.0 * 272 * unitRoundoff(StorageFormat::Double));

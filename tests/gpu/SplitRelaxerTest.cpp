@@ -9,6 +9,7 @@
 #include "filters/core/StorageFormat.h"
 #include "filters/core/TechniqueCatalogue.h"
 #include "filters/gpu/ShadowRenderer.h"
+#include "tests/gpu/FloatSamples.h"
 #include "tests/gpu/GpuTest.h"
 
 namespace umbra::test {
@@ -85,7 +86,7 @@ TEST_F(SplitRelaxerTest, ConvergesToTheReferencesSplits) {
   SplitRelaxer relaxer;
   for (std::size_t i = 0; i < maps.size(); ++i) {
     const gl::Texture depth = upload(maps[i]);
-    const std::vector<WeightedSample> samples = secondOccluderSamples(maps[i]);
+    const std::vector<WeightedSample> samples = test::floatSamples(maps[i]);
     for (int count : {1, 2, 3, 7, 15}) {
       SCOPED_TRACE("map " + std::to_string(i) + ", splits " + std::to_string(count));
       relaxer.mapChanged();
@@ -109,7 +110,7 @@ TEST_F(SplitRelaxerTest, ConvergesToTheReferencesSplitsOfAScene) {
   renderer.render();
   const DepthMap map = renderer.depthMap();
   const gl::Texture depth = upload(map);
-  const std::vector<WeightedSample> samples = secondOccluderSamples(map);
+  const std::vector<WeightedSample> samples = test::floatSamples(map);
   SplitRelaxer relaxer;
   for (int count : {3, 7}) {
     relaxer.advance(depth, count, SplitPace::Converged);
@@ -122,7 +123,7 @@ TEST_F(SplitRelaxerTest, ClampsWeightsAsTheReferenceDoes) {
   const WeightClamp clamp{.low = 0.001, .high = 0.01};
   SplitRelaxer relaxer(clamp);
   relaxer.advance(upload(map), 4, SplitPace::Converged);
-  expectEqual(relaxer.result(), relax(secondOccluderSamples(map, clamp), {.splits = 4}),
+  expectEqual(relaxer.result(), relax(test::floatSamples(map, clamp), {.splits = 4}),
               roundingOf(map));
 }
 
@@ -166,7 +167,7 @@ TEST_F(SplitRelaxerTest, TwoSplitsAFrameEndWhereNothingMovesEither) {
   for (unsigned seed = 0; seed < 4; ++seed) {
     const DepthMap map = randomMap(seed, 120, 90);
     const gl::Texture depth = upload(map);
-    const std::vector<WeightedSample> samples = secondOccluderSamples(map);
+    const std::vector<WeightedSample> samples = test::floatSamples(map);
     SplitRelaxer relaxer;
     const int frames = settle(relaxer, depth, 5);
     const LloydResult two = relax(samples, {.splits = 5, .movedPerIteration = 2});
@@ -198,7 +199,7 @@ TEST_F(SplitRelaxerTest, GoesOnFromTheLastSplitsWhenTheMapChanges) {
   EXPECT_EQ(relaxer.splits(), first);
   settle(relaxer, otherDepth, 5);
   const LloydResult again =
-      relax(secondOccluderSamples(other), {.splits = 5, .start = relaxer.splits()});
+      relax(test::floatSamples(other), {.splits = 5, .start = relaxer.splits()});
   for (std::size_t k = 0; k < 5; ++k)
     EXPECT_NEAR(again.splits[k], relaxer.splits()[k], roundingOf(other));
 }

@@ -94,4 +94,32 @@ std::shared_ptr<Scene> slabAndBall() {
   return scene;
 }
 
+std::shared_ptr<Scene> avenue() {
+  auto scene = std::make_shared<Scene>();
+  scene->name = "avenue";
+  SceneObject ground, posts;
+  ground.name = "ground";
+  ground.mesh = rectangle({-30, 0, -60}, {0, 0, 80}, {60, 0, 0});
+  posts.name = "posts";
+  for (int row = 0; row < 14; ++row) {
+    for (float x : {-3.0f, 0.9f, 3.3f}) {
+      const float z = 13.0f - 4.6f * float(row) + 0.37f * x;
+      const Mesh post = box({x, 0, z}, {x + 0.3f, 2.1f, z + 0.3f});
+      const auto offset = std::uint32_t(posts.mesh.positions.size());
+      Mesh& all = posts.mesh;
+      all.positions.insert(all.positions.end(), post.positions.begin(), post.positions.end());
+      all.normals.insert(all.normals.end(), post.normals.begin(), post.normals.end());
+      for (const auto& [a, b, c] : post.triangles)
+        all.triangles.push_back({a + offset, b + offset, c + offset});
+    }
+  }
+  scene->objects = {ground, posts};
+  scene->light.position = {14, 20, 9};
+  scene->light.target = {0, 0, 0};
+  scene->camera.position = {0.4, 2.6, 18.0};
+  scene->camera.target = {0.2, 1.0, 8.0};
+  scene->camera.viewAngle = 40.0;
+  return scene;
+}
+
 }  // namespace umbra::test

@@ -20,4 +20,7 @@ std::shared_ptr<Scene> slabOverGround();
 // The same with a slanting light and a ball of facets beside the slab.
 std::shared_ptr<Scene> slabAndBall();
 
+// A long ground with three rows of posts, seen from one end at a man's height.
+std::shared_ptr<Scene> avenue();
+
 }  // namespace umbra::test
