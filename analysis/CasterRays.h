@@ -1,0 +1,46 @@
+// What a light's rays meet first: the scene's casters without a shadow map between (Wald et al.
+// 2014, "Embree: A Kernel Framework for Efficient CPU Ray Tracing").
+#pragma once
+
+#include <memory>
+
+#include "filters/core/Light.h"
+#include "filters/core/Scene.h"
+
+namespace umbra {
+
+// The rays of a light's frame: as many as its map has positions (u, v). All of a directional light
+// are parallel and begin before every caster, those of a spot light begin at the light.
+struct LightRays {
+  LightKind kind = LightKind::Directional;
+  // Directional: the origin at (0, 0), and how it moves with u and v; spot: the direction, of
+  // length 1 along the light's axis. World.
+  Eigen::Vector3d first, perU, perV;
+  Eigen::Vector3d fixed;  // directional: the direction, unit; spot: the origin
+  double lead = 0.0;      // directional: origins lie this far before the near plane, world units
+  double nearDistance = 0.0, farDistance = 1.0;
+};
+
+// Casts are const and may run on many threads at once.
+class CasterRays {
+ public:
+  // Every object casts. `cullFrontFaces` leaves out what faces the light, as Bias does. Throws
+  // WorkFailed where the tracer cannot be set up.
+  CasterRays(const Scene& scene, bool cullFrontFaces);
+  ~CasterRays();
+  CasterRays(CasterRays&&) noexcept;
+  CasterRays& operator=(CasterRays&&) noexcept;
+
+  LightRays raysOf(const LightFrame& frame) const;
+
+  // Linear depth of the first hit of the ray through (u, v): what a map of unlimited resolution
+  // holds there. Before the near plane 0, behind the far plane and where nothing is met 1. Computed
+  // in single precision: good to a few 1e-7 of the ray's length.
+  double depth(const LightRays& rays, double u, double v) const;
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace umbra
