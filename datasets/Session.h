@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "datasets/Comparison.h"
 #include "filters/core/FrameSettings.h"
 #include "filters/core/Light.h"
 #include "filters/core/Parameters.h"
@@ -50,6 +51,7 @@ struct Session {
   FrameSettings frame;
   std::string technique = "vsm";
   TechniqueParameters parameters;
+  Comparison comparison;
   int width = 1280, height = 720;  // of a rendered picture, pixels
   std::optional<Pixel> probe;
   std::optional<double> receiver;  // probe on a depth file: z_r; in the window, one dragged by hand

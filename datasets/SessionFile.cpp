@@ -1,5 +1,6 @@
 #include "datasets/SessionFile.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -129,6 +130,32 @@ void readParameters(JsonObject& object, TechniqueParameters& parameters) {
   });
 }
 
+Json comparisonJson(const Comparison& comparison) {
+  return {{"mode", nameOf(comparison.mode)},
+          {"techniques", comparison.techniques},
+          {"wipe", comparison.wipe}};
+}
+
+void readComparison(JsonObject& object, Comparison& comparison) {
+  object.readName("mode", [&](const std::string& name, const std::string& where) {
+    comparison.mode = comparisonModeFrom(name, where);
+  });
+  object.readList("techniques", [&](const Json& element, const std::string& where) {
+    const std::string id = element.is_string() ? element.get<std::string>() : element.dump();
+    if (!allTechniques().has(id))
+      throw Error(ErrorKind::BadInput, where + ": there is no technique " + id);
+    auto& ids = comparison.techniques;
+    if (std::find(ids.begin(), ids.end(), id) != ids.end())
+      throw Error(ErrorKind::BadInput, where + ": has " + id + " twice, each is compared once");
+    ids.push_back(id);
+  });
+  const std::size_t count = comparison.techniques.size();
+  if (count != 0 && (count < Comparison::fewest || count > Comparison::most))
+    throw Error(ErrorKind::BadInput, object.where() + ".techniques: there are " +
+                                         std::to_string(count) + ", two to six are compared");
+  object.read("wipe", comparison.wipe, 0.0, 1.0);
+}
+
 }  // namespace
 
 Json toJson(const ParameterValue& value) {
@@ -144,6 +171,7 @@ Json toJson(const Session& session) {
   json["parameters"] = Json::object();
   for (const auto& [id, values] : session.parameters)
     for (const auto& [name, value] : values) json["parameters"][id][name] = toJson(value);
+  if (!(session.comparison == Comparison{})) json["compare"] = comparisonJson(session.comparison);
   json["size"] = {session.width, session.height};
   if (session.probe) json["probe"] = {session.probe->x, session.probe->y};
   if (session.receiver) json["receiver"] = *session.receiver;
@@ -169,6 +197,8 @@ Session sessionFrom(const Json& json, std::string_view where) {
   object.readObject("parameters", [&](JsonObject& parameters) {
     readParameters(parameters, session.parameters);
   });
+  object.readObject(
+      "compare", [&](JsonObject& comparison) { readComparison(comparison, session.comparison); });
   double receiver = -1.0;
   object.read("receiver", receiver, 0.0, 1.0);
   if (receiver >= 0.0) session.receiver = receiver;

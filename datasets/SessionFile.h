@@ -15,10 +15,12 @@
 //                      "cullFrontFaces": false}},
 //  "technique": "vsm",
 //  "parameters": {"vsm": {"min-variance": 1e-5}, "lvsm": {"splits": [0.2, 0.5]}},
+//  "compare": {"mode": "grid", "techniques": ["vsm", "lvsm"], "wipe": 0.5},
 //  "size": [1280, 720], "probe": [x, y], "receiver": 0.7}
 //
 // Every key but "format" may be absent and then has its default; "light" and "camera" absent means
 // the scene's own, "frozen" absent that the cascades follow the camera.
+// A saved session has "compare" once something was compared.
 #pragma once
 
 #include <filesystem>

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "ui/ComparisonPanes.h"
 #include "ui/MessageBanner.h"
 #include "ui/Prober.h"
 #include "ui/SceneView.h"
@@ -39,6 +40,7 @@ CentrePane::CentrePane(SessionController& controller, SceneView& view, Prober& p
       prober_(prober),
       banner_(new MessageBanner),
       pages_(new QStackedWidget),
+      comparison_(new ComparisonPanes(controller, view, prober)),
       legend_(new ColourBar),
       depth_(new ShadowMapView),
       receiver_(new QSlider(Qt::Horizontal)),
@@ -51,7 +53,7 @@ CentrePane::CentrePane(SessionController& controller, SceneView& view, Prober& p
 
   auto* picture = new Card;
   picture->layout()->setContentsMargins(4, 4, 4, 4);
-  picture->body()->addWidget(&view, 1);
+  picture->body()->addWidget(comparison_, 1);
   auto* bar = new QHBoxLayout;
   bar->setContentsMargins(8, 0, 8, 2);
   bar->addWidget(legend_, 1);

@@ -10,6 +10,7 @@ class QStackedWidget;
 namespace umbra {
 
 class ColourBar;
+class ComparisonPanes;
 class MessageBanner;
 class Prober;
 class SceneView;
@@ -25,6 +26,8 @@ class CentrePane : public QWidget {
              QWidget* parent = nullptr);
 
   MessageBanner& banner() { return *banner_; }
+  // The picture of a scene, or several.
+  ComparisonPanes& comparison() { return *comparison_; }
   // The depth file as a picture to probe; shown where the session's source is one.
   ShadowMapView& depthView() { return *depth_; }
 
@@ -38,6 +41,7 @@ class CentrePane : public QWidget {
   Prober& prober_;
   MessageBanner* banner_;
   QStackedWidget* pages_;
+  ComparisonPanes* comparison_;
   ColourBar* legend_;
   ShadowMapView* depth_;
   QSlider* receiver_;  // ten-thousandths

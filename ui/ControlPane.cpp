@@ -41,7 +41,7 @@ ControlPane::ControlPane(SessionController& controller, Prober& prober, SceneVie
   connect(&controller_, &SessionController::changed, this, &ControlPane::refresh);
   connect(techniques_, &TechniqueList::techniqueChosen, this, [this](const QString& id) {
     controller_.edit(tr("Choose technique"),
-                     [&](Session& session) { session.technique = id.toStdString(); });
+                     [&](Session& session) { chooseTechnique(session, id.toStdString()); });
   });
   connect(parameters_, &ParameterForm::parameterChanged, this, &ControlPane::changeParameter);
   connect(parameters_, &ParameterForm::editingFinished, this, [this] { controller_.endMerge(); });

@@ -9,6 +9,7 @@
 #include <exception>
 
 #include "ui/CentrePane.h"
+#include "ui/ComparisonPanes.h"
 #include "ui/ControlPane.h"
 #include "ui/EvidencePanes.h"
 #include "ui/FrameFigures.h"
@@ -81,6 +82,7 @@ void MainWindow::connectParts() {
   connect(&controller_, &SessionController::failed, this, &MainWindow::showError);
   connect(view_, &SceneView::failed, this, &MainWindow::showError);
   connect(prober_, &Prober::failed, this, &MainWindow::showError);
+  connect(&centre_->comparison(), &ComparisonPanes::failed, this, &MainWindow::showError);
   connect(&controls_->reduction(), &ReductionTools::failed, this, &MainWindow::showError);
   connect(evidence_, &EvidencePanes::failed, this, &MainWindow::showError);
   connect(evidence_, &EvidencePanes::message, statusBar(),
@@ -132,6 +134,7 @@ void MainWindow::refresh() {
     action->setEnabled(current || refusal.isEmpty());
     action->setToolTip(refusal);
   }
+  refreshCompareMenu();
   showFrameFigures();
 }
 

@@ -99,6 +99,9 @@ class MainWindow : public QMainWindow {
   void makeLessonDock();
   void makeLessonsMenu();
   void placeLessonDock();
+  // MainWindowCompare.cpp
+  void makeCompareMenu(QMenu& view);
+  void refreshCompareMenu();
   // MainWindowFiles.cpp
   void askToOpen(const QString& title, const QString& filter);
   void askToSaveSession();
@@ -122,7 +125,7 @@ class MainWindow : public QMainWindow {
   std::optional<Eigen::Vector3d> pointBefore_;
   QDockWidget* lessonDock_ = nullptr;  // not among docks_: it is there during a lesson alone
   std::vector<QDockWidget*> docks_;
-  QActionGroup *modes_, *techniques_;
+  QActionGroup *modes_, *techniques_, *comparisons_ = nullptr;
   QToolButton *sceneButton_ = nullptr, *adjustButton_ = nullptr;
   SceneForm* sceneForm_ = nullptr;
   QMenu *sceneMenu_ = nullptr, *exportMenu_ = nullptr;

@@ -11,6 +11,8 @@
 #include "datasets/SessionFile.h"
 #include "filters/core/AtomicFile.h"
 #include "filters/core/Error.h"
+#include "ui/CentrePane.h"
+#include "ui/ComparisonPanes.h"
 #include "ui/EvidencePanes.h"
 #include "ui/MainWindow.h"
 #include "ui/SceneView.h"
@@ -69,7 +71,7 @@ void MainWindow::savePicture(const fs::path& file) {
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
-  if (!view_->grab().save(&buffer, "PNG"))
+  if (!centre_->comparison().grab().save(&buffer, "PNG"))
     throw Error(ErrorKind::BadOutput, file.string() + ": the picture cannot be encoded as PNG");
   writeTextAtomically(file, std::string_view(bytes.constData(), std::size_t(bytes.size())));
 }

@@ -29,12 +29,10 @@ struct Mode {
   const char* text;
   int key;
 };
-constexpr Mode viewModes[] = {{ViewMode::Shaded, "Shaded", Qt::Key_F2},
-                              {ViewMode::Visibility, "Visibility", Qt::Key_F3},
-                              {ViewMode::Error, "Signed error", Qt::Key_F4},
-                              {ViewMode::Depth, "Depth", Qt::Key_F5},
-                              {ViewMode::Layers, "Layers", Qt::Key_F6},
-                              {ViewMode::Cascades, "Cascades", Qt::Key_F7}};
+constexpr Mode viewModes[] = {
+    {ViewMode::Shaded, "Shaded", Qt::Key_F2},      {ViewMode::Visibility, "Visibility", Qt::Key_F3},
+    {ViewMode::Error, "Signed error", Qt::Key_F4}, {ViewMode::Depth, "Depth", Qt::Key_F5},
+    {ViewMode::Layers, "Layers", Qt::Key_F6},      {ViewMode::Cascades, "Cascades", Qt::Key_F7}};
 
 const char* const meshFilter = "*.obj *.ply *.off *.stl";
 
@@ -136,6 +134,7 @@ void MainWindow::makeViewMenu() {
     action->setData(int(mode.mode));
     modes_->addAction(action);
   }
+  makeCompareMenu(*menu);
   menu->addSeparator();
   addAction(*menu, tr("The scene's &camera"), QKeySequence("Home"), [this] {
     controller_.edit(tr("Reset camera"), [](Session& session) { session.camera.reset(); });
@@ -153,7 +152,8 @@ void MainWindow::makeTechniqueMenu() {
     const std::string id(technique->info().id);
     const QKeySequence key(techniqueKey(place));
     QAction* action = addAction(*menu, style::text(technique->info().title), key, [this, id] {
-      controller_.edit(tr("Choose technique"), [&](Session& session) { session.technique = id; });
+      controller_.edit(tr("Choose technique"),
+                       [&](Session& session) { chooseTechnique(session, id); });
     });
     action->setCheckable(true);
     action->setData(style::text(id));

@@ -57,11 +57,29 @@ void SceneOverlay::paintEvent(QPaintEvent*) {
   if (contents_.projection.size().isEmpty()) return;
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
+  drawCurtain(painter);
   drawRay(painter);
   drawPatch(painter);
   drawSun(painter);
   drawFigures(painter);
   drawHint(painter);
+}
+
+void SceneOverlay::drawCurtain(QPainter& painter) const {
+  if (contents_.curtain.isNull() && contents_.curtainText.isEmpty()) return;
+  const double left = contents_.curtainAt * width();
+  const QRectF part(left, 0.0, width() - left, height());
+  painter.save();
+  painter.setClipRect(part);
+  if (!contents_.curtain.isNull()) {
+    painter.drawImage(QRectF(rect()), contents_.curtain);
+  } else {
+    painter.fillRect(part, style::ground);
+    painter.setPen(style::muted);
+    painter.drawText(part.adjusted(16.0, 8.0, -16.0, -8.0), Qt::AlignCenter | Qt::TextWordWrap,
+                     contents_.curtainText);
+  }
+  painter.restore();
 }
 
 void SceneOverlay::drawRay(QPainter& painter) const {

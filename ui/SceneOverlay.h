@@ -1,6 +1,7 @@
 // What is drawn over the picture: the probe's patch, its ray, the sun, the figures beside it.
 #pragma once
 
+#include <QImage>
 #include <QWidget>
 #include <optional>
 
@@ -24,6 +25,11 @@ class SceneOverlay : public QWidget {
     QString heading, verdict;  // the two lines beside the probe; empty leaves them out
     bool wrong = false;        // the verdict is an error
     QString hint;              // one sentence at the bottom; empty for none
+    // Beneath all this, another picture from `curtainAt` (0 … 1) of the width on to the right, or
+    // what is said in its place.
+    QImage curtain;
+    QString curtainText;
+    double curtainAt = 1.0;
   };
   void setContents(Contents contents);
   const LightHandle& handle() const { return handle_; }
@@ -34,6 +40,7 @@ class SceneOverlay : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  void drawCurtain(QPainter& painter) const;
   void drawRay(QPainter& painter) const;
   void drawPatch(QPainter& painter) const;
   void drawSun(QPainter& painter) const;

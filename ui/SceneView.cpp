@@ -129,6 +129,13 @@ void SceneView::setHint(const QString& hint) {
   refreshOverlay();
 }
 
+void SceneView::setCurtain(const QImage& picture, double at, const QString& instead) {
+  contents_.curtain = picture;
+  contents_.curtainAt = at;
+  contents_.curtainText = instead;
+  refreshOverlay();
+}
+
 QSize SceneView::pixels() const {
   const double ratio = devicePixelRatioF();
   return {int(std::lround(width() * ratio)), int(std::lround(height() * ratio))};

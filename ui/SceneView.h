@@ -31,6 +31,10 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void setReport(const std::optional<ProbeReport>& report, const QString& heading,
                  const QString& verdict, bool wrong);
   void setHint(const QString& hint);
+  // Another picture over the right part of this one, from `at` of its width (0 … 1) on; `instead`
+  // is said there where there is none. Both empty show this one alone.
+  void setCurtain(const QImage& picture, double at, const QString& instead);
+  const SceneOverlay::Contents& overlayContents() const { return contents_; }
 
   QSize pixels() const;  // of the picture
   Pixel pixelAt(const QPointF& point) const;
@@ -41,6 +45,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
 
   // Of the last frame; null before the first one.
   ShadowRenderer* lastFrame() { return drawn_ ? shadow_.get() : nullptr; }
+  const ShadowRenderer* lastFrame() const { return drawn_ ? shadow_.get() : nullptr; }
   std::optional<SurfacePoint> surfaceAt(const Pixel& pixel);
   // Surfaces and reference of the frame as another technique would shade it; the picture stays.
   // Throws as ShadowRenderer::render does.

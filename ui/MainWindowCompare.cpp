@@ -1,0 +1,77 @@
+// The menu that puts techniques beside each other.
+#include <QActionGroup>
+#include <QMenu>
+#include <algorithm>
+
+#include "ui/CentrePane.h"
+#include "ui/ComparisonPanes.h"
+#include "ui/MainWindow.h"
+
+namespace umbra {
+namespace {
+
+struct Mode {
+  ComparisonMode mode;
+  const char* text;
+  const char* key;
+};
+constexpr Mode comparisonModes[] = {{ComparisonMode::Single, "&One picture", "F8"},
+                                    {ComparisonMode::Wipe, "&Wipe over two techniques", "F9"},
+                                    {ComparisonMode::Grid, "&Panes side by side", "F11"}};
+constexpr double wipeStep = 0.05;  // of the picture's width
+
+}  // namespace
+
+void MainWindow::makeCompareMenu(QMenu& view) {
+  QMenu* menu = view.addMenu(tr("Com&pare"));
+  menu->setObjectName("compare");
+  comparisons_ = new QActionGroup(this);
+  for (const Mode& mode : comparisonModes) {
+    QAction* action = addAction(*menu, tr(mode.text), QKeySequence(mode.key), [this, mode] {
+      controller_.edit(tr("Compare techniques"), [&](Session& session) {
+        session.comparison.mode = mode.mode;
+        if (mode.mode != ComparisonMode::Single) session.comparison.techniques = panesOf(session);
+      });
+    });
+    action->setCheckable(true);
+    action->setData(int(mode.mode));
+    comparisons_->addAction(action);
+  }
+  menu->addSeparator();
+  QMenu* counts = menu->addMenu(tr("&Number of panes"));
+  std::vector<std::string> known;
+  for (const Technique* technique : controller_.catalogue().all())
+    known.emplace_back(technique->info().id);
+  for (std::size_t count = Comparison::fewest; count <= Comparison::most; ++count)
+    addAction(*counts, QString::number(count), QKeySequence(QStringLiteral("Ctrl+%1").arg(count)),
+              [this, count, known] {
+                controller_.edit(tr("Show %1 panes").arg(count), [&](Session& session) {
+                  session.comparison.mode = ComparisonMode::Grid;
+                  setPaneCount(session, count, known);
+                });
+              });
+  menu->addSeparator();
+  const auto moveWipe = [this](double by) {
+    controller_.edit(
+        tr("Move wipe"),
+        [&](Session& session) {
+          double& at = session.comparison.wipe;
+          at = std::clamp(at + by, 0.0, 1.0);
+        },
+        "wipe");
+  };
+  addAction(*menu, tr("Wipe to the &left"), QKeySequence("Alt+Left"),
+            [moveWipe] { moveWipe(-wipeStep); });
+  addAction(*menu, tr("Wipe to the &right"), QKeySequence("Alt+Right"),
+            [moveWipe] { moveWipe(wipeStep); });
+}
+
+void MainWindow::refreshCompareMenu() {
+  const bool onScene = controller_.document().content.scene != nullptr;
+  for (QAction* action : comparisons_->actions()) {
+    action->setChecked(action->data().toInt() == int(controller_.session().comparison.mode));
+    action->setEnabled(onScene);
+  }
+}
+
+}  // namespace umbra
