@@ -38,6 +38,7 @@ Session unusualSession() {
   session.technique = "power-cdf";
   session.parameters = {{"vsm", {{"min-variance", 1.0 / 3.0 * 1e-3}}},
                         {"csm", {{"terms", 8}, {"mode", std::string("scale")}}}};
+  session.comparison = {ComparisonMode::Wipe, {"csm", "power-cdf", "msm"}, 0.375};
   session.width = 640;
   session.height = 480;
   session.probe = Pixel{17, 23};
@@ -186,6 +187,19 @@ TEST_F(SessionFileTest, LightsAndCamerasWithoutAPictureAreRefused) {
             "s.json: camera: position and target are the same point, they should differ");
   EXPECT_EQ(errorOf(sessionWith(R"("camera": {"viewAngle": 121})")),
             "s.json: camera.viewAngle: 121 is not right, it takes a number from 1 to 120");
+}
+
+TEST_F(SessionFileTest, ComparisonsWithoutPanesAreRefused) {
+  EXPECT_EQ(errorOf(sessionWith(R"("compare": {"mode": "half"})")),
+            "s.json: compare.mode: 'half' is not right, it takes single, wipe or grid");
+  EXPECT_EQ(errorOf(sessionWith(R"("compare": {"techniques": ["vsm", "vsmm"]})")),
+            "s.json: compare.techniques[2]: there is no technique vsmm");
+  EXPECT_EQ(errorOf(sessionWith(R"("compare": {"techniques": ["vsm", "vsm"]})")),
+            "s.json: compare.techniques[2]: has vsm twice, each is compared once");
+  EXPECT_EQ(errorOf(sessionWith(R"("compare": {"techniques": ["vsm"]})")),
+            "s.json: compare.techniques: there are 1, two to six are compared");
+  EXPECT_EQ(errorOf(sessionWith(R"("compare": {"wipe": 2})")),
+            "s.json: compare.wipe: 2 is not right, it takes a number from 0 to 1");
 }
 
 TEST_F(SessionFileTest, ParametersThatContradictEachOtherAreRefused) {
