@@ -10,6 +10,7 @@
 
 #include "ui/ComparisonPanes.h"
 #include "ui/MessageBanner.h"
+#include "ui/PaneHeader.h"
 #include "ui/Prober.h"
 #include "ui/SceneView.h"
 #include "ui/SessionController.h"
@@ -22,13 +23,6 @@ namespace umbra {
 namespace {
 
 constexpr double receiverSteps = 10000.0;
-
-// "Variance (VSM)" is VSM to those who have read its title in the list.
-QString shortTitle(const Technique& technique) {
-  const QString title = style::text(technique.info().title);
-  const int open = title.lastIndexOf('('), close = title.lastIndexOf(')');
-  return open >= 0 && close > open ? title.mid(open + 1, close - open - 1) : title;
-}
 
 }  // namespace
 
@@ -62,7 +56,11 @@ CentrePane::CentrePane(SessionController& controller, SceneView& view, Prober& p
   pages_->addWidget(makeDepthPage());
   layout->addWidget(pages_, 1);
 
-  connect(&controller_, &SessionController::changed, this, &CentrePane::refresh);
+  connect(&controller_, &SessionController::changed, this,
+          [this](const Document& before, const Document& after) {
+            refresh();
+            if (!(before.session.comparison == after.session.comparison)) showReport();
+          });
   connect(&prober_, &Prober::reported, this, &CentrePane::showReport);
   refresh();
 }
@@ -119,6 +117,17 @@ void CentrePane::refresh() {
   receiverText_->setText(QString::number(receiver, 'f', 4));
 }
 
+// In a wipe, that of the side on which the probe lies.
+std::string CentrePane::techniqueAtProbe() const {
+  const Session& session = controller_.session();
+  const auto& report = prober_.behindVeil();
+  if (session.comparison.mode != ComparisonMode::Wipe || !report || !report->point)
+    return session.technique;
+  const auto pixel = view_.pixelOf(*report->point);
+  const bool right = pixel && pixel->x + 0.5 > session.comparison.wipe * view_.pixels().width();
+  return right ? wipeTechniqueOf(session) : session.technique;
+}
+
 void CentrePane::showReport() {
   const auto& report = prober_.behindVeil();
   if (controller_.document().content.depth) {
@@ -130,15 +139,18 @@ void CentrePane::showReport() {
   }
   view_.setHint(report ? QString()
                        : tr("Point at a shadow to take it apart. Click to keep the point."));
-  const std::string& id = controller_.session().technique;
+  const Session& session = controller_.session();
+  const std::string id = techniqueAtProbe();
   const TechniqueResult* result = report ? resultOf(report->probe, id) : nullptr;
-  if (!result) {
+  // The labels of many small panes say it all.
+  const bool said = session.comparison.mode == ComparisonMode::Grid && prober_.veil().isEmpty();
+  if (!result || said) {
     view_.setReport(report, {}, {}, false);
     return;
   }
   if (!prober_.veil().isEmpty())
     return view_.setReport(report, tr("Predict first"), tr("then see what comes out here"), false);
-  const QString kernel = QString::fromStdString(describe(controller_.session().frame.kernel));
+  const QString kernel = QString::fromStdString(describe(session.frame.kernel));
   const bool wrong = std::string_view(verdictOf(result->error)) != verdictOf(0.0);
   view_.setReport(
       report,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <string>
 
 class QLabel;
 class QSlider;
@@ -35,6 +36,7 @@ class CentrePane : public QWidget {
   QWidget* makeDepthPage();
   void refresh();
   void showReport();
+  std::string techniqueAtProbe() const;
 
   SessionController& controller_;
   SceneView& view_;

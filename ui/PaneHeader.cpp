@@ -23,6 +23,12 @@ QPixmap chip(const QColor& colour) {
 
 }  // namespace
 
+QString shortTitle(const Technique& technique) {
+  const QString title = style::text(technique.info().title);
+  const int open = title.lastIndexOf('('), close = title.lastIndexOf(')');
+  return open >= 0 && close > open ? title.mid(open + 1, close - open - 1) : title;
+}
+
 PaneHeader::PaneHeader(const std::vector<const Technique*>& techniques, QWidget* parent)
     : QWidget(parent), box_(new QComboBox), error_(new QLabel) {
   auto* layout = new QHBoxLayout(this);
@@ -30,8 +36,9 @@ PaneHeader::PaneHeader(const std::vector<const Technique*>& techniques, QWidget*
   layout->setSpacing(6);
   for (const Technique* technique : techniques) {
     const TechniqueInfo& info = technique->info();
-    box_->addItem(chip(QColor(style::text(info.colour))), style::text(info.title),
+    box_->addItem(chip(QColor(style::text(info.colour))), shortTitle(*technique),
                   style::text(info.id));
+    box_->setItemData(box_->count() - 1, style::text(info.title), Qt::ToolTipRole);
   }
   // Its text may be cut, so that six panes fit side by side on a small screen.
   box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);

@@ -12,6 +12,9 @@ class QLabel;
 
 namespace umbra {
 
+// "Variance (VSM)" is VSM to those who have read its title in the list.
+QString shortTitle(const Technique& technique);
+
 class PaneHeader : public QWidget {
   Q_OBJECT
 

@@ -22,6 +22,7 @@ class TechniquePicture : public QWidget {
   // Why there is no picture.
   void setMessage(const QString& message);
   const QImage& picture() const { return picture_; }
+  const QString& message() const { return message_; }
 
  signals:
   void chosen();                            // by a click
