@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -24,23 +26,48 @@ struct RenderCommand {
   SessionOptions options;
   std::optional<std::string> output;
   TechniqueCatalogue catalogue = allTechniques();
-  std::vector<std::shared_ptr<Technique>> techniques(const Session& session) const;
+  // As named on the command line, else `unnamed`.
+  std::vector<std::shared_ptr<Technique>> techniques(const Session& session,
+                                                     const TechniqueChoice& unnamed) const;
 };
+
+// What a session compares, its panes beside each other; a pane that cannot be is left out.
+TechniqueChoice comparedIn(const Session& session) {
+  switch (session.comparison.mode) {
+    case ComparisonMode::Wipe:
+      return {{session.technique, wipeTechniqueOf(session)}};
+    case ComparisonMode::Grid:
+      return {panesOf(session), true};
+    case ComparisonMode::Single:
+      break;
+  }
+  return {{session.technique}};
+}
+
+// From `at` of the width (0 … 1) on, `left` becomes `right`.
+void wipe(Image<std::uint8_t>& left, const Image<std::uint8_t>& right, double at) {
+  const int first = std::max(0, int(std::ceil(at * left.width() - 0.5)));
+  for (int y = 0; y < left.height(); ++y)
+    for (int x = first; x < left.width(); ++x)
+      for (int c = 0; c < 3; ++c) left(x, y, c) = right(x, y, c);
+}
 
 RenderCommand::RenderCommand(CLI::App& command) {
   command.add_option("-o,--output", output, "Picture, or its layers as floats")
       ->type_name("FILE.png|FILE.exr")
       ->group("Render");
   command.footer(
-      "Several techniques are drawn side by side in a PNG. An EXR has R, G, B of the first, per\n"
+      "Several techniques are drawn side by side in a PNG, as are the panes of a session that\n"
+      "compares; a session's wipe is one picture of two. An EXR has R, G, B of the first, per\n"
       "pixel u, v (in the map; u < 0 without a surface), receiver (negative where the surface "
       "faces\n"
       "away from the light) and reference, and TECHNIQUE.R .G .B .visibility .error for each.");
   options.addTo(command);
 }
 
-std::vector<std::shared_ptr<Technique>> RenderCommand::techniques(const Session& session) const {
-  return makeTechniques(session, catalogue, options.techniques(catalogue, {{session.technique}}));
+std::vector<std::shared_ptr<Technique>> RenderCommand::techniques(
+    const Session& session, const TechniqueChoice& unnamed) const {
+  return makeTechniques(session, catalogue, options.techniques(catalogue, unnamed));
 }
 
 void RenderCommand::run() const {
@@ -61,7 +88,7 @@ void RenderCommand::run() const {
 }
 
 void RenderCommand::renderPicture(const Session& session) const {
-  const auto chosen = techniques(session);
+  const auto chosen = techniques(session, comparedIn(session));
   const auto scene = std::make_shared<const Scene>(loadScene(session.source));
   const std::unique_ptr<Display> display = loadDisplay();
   const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
@@ -71,12 +98,17 @@ void RenderCommand::renderPicture(const Session& session) const {
     frame->render(*technique, session.frame.view);
     pictures.push_back({std::string(technique->info().title), frame->colour()});
   }
+  const bool named = !options.techniques(catalogue, {}).ids.empty();
+  if (!named && session.comparison.mode == ComparisonMode::Wipe) {
+    wipe(pictures.front().colour, pictures.back().colour, session.comparison.wipe);
+    pictures.pop_back();
+  }
   throwIfCancelled();
   display->writePictures(pictures, *output);
 }
 
 void RenderCommand::renderLayers(const Session& session) const {
-  const auto chosen = techniques(session);
+  const auto chosen = techniques(session, {{session.technique}});
   const auto scene = std::make_shared<const Scene>(loadScene(session.source));
   const std::unique_ptr<Display> display = loadDisplay();
   const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
