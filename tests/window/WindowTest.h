@@ -32,6 +32,11 @@ class WindowTest : public QObject {
   void whatAFormatCannotHoldCannotBeChosen();
   void aSliderDragIsOneStep();
   void anotherNumberOfLayersDropsTheSplits();
+  void aWipeIsDragged();
+  void aWipesRightSideIsTheOtherTechnique();
+  void panesAreLabelledWithTheirErrorAtTheProbe();
+  void aClickedPaneIsTheSessions();
+  void whatAPaneCannotShowIsSaidThere();
   void digitsSwitchTechniques();
   void keysSwitchTheView();
   void draggingTheSunMovesTheLight();
@@ -60,6 +65,8 @@ class WindowTest : public QObject {
   void settle();
   void mouse(QEvent::Type type, const QPointF& point, Qt::MouseButton button,
              Qt::MouseButtons buttons);
+  // Settles, and waits until the pictures beside the view have followed it.
+  void settlePanes();
   void click(const Pixel& pixel);
   void key(int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
   QPointF pointOf(const Pixel& pixel);

@@ -1,0 +1,167 @@
+// Techniques beside each other.
+#include <QMouseEvent>
+#include <QTest>
+#include <cmath>
+
+#include "tests/window/WindowTest.h"
+#include "ui/CentrePane.h"
+#include "ui/ComparisonPanes.h"
+#include "ui/PaneHeader.h"
+#include "ui/Prober.h"
+#include "ui/SceneView.h"
+#include "ui/TechniquePicture.h"
+#include "ui/WipeHandle.h"
+#include "ui/widgets/Style.h"
+
+namespace umbra {
+namespace {
+
+Session comparing(ComparisonMode mode, std::vector<std::string> techniques) {
+  Session session;
+  session.source.name = "three-planes";
+  session.comparison = {mode, std::move(techniques), 0.5};
+  return session;
+}
+
+// Of the live view, without what is drawn over it.
+QImage liveFrame(MainWindow& window) {
+  const Image<std::uint8_t> colour = window.view().lastFrame()->colour();
+  return QImage(colour.values().data(), colour.width(), colour.height(), colour.width() * 3,
+                QImage::Format_RGB888)
+      .copy();
+}
+
+QImage bare(QImage picture) {
+  picture.setDevicePixelRatio(1.0);
+  return picture.convertToFormat(QImage::Format_RGB888);
+}
+
+}  // namespace
+
+void WindowTest::settlePanes() {
+  settle();
+  ComparisonPanes& panes = window_->centre().comparison();
+  QVERIFY(QTest::qWaitFor([&] { return panes.upToDate(); }, 60000));
+}
+
+void WindowTest::aWipeIsDragged() {
+  MainWindow& window = open(comparing(ComparisonMode::Wipe, {"vsm", "pcf"}));
+  settlePanes();
+  WipeHandle& wipe = window.centre().comparison().wipe();
+  QVERIFY(wipe.isVisible());
+  const auto position = [&] { return window.controller().session().comparison.wipe; };
+  const auto middle = [&] { return double(wipe.geometry().center().x()) / window.view().width(); };
+  const double pixel = 1.0 / window.view().width();
+  QVERIFY(std::abs(middle() - 0.5) <= pixel);
+  const Camera camera = window.view().lastFrame()->camera();
+  const auto grip = wipe.rect().center();
+  QTest::mousePress(&wipe, Qt::LeftButton, {}, grip);
+  for (int step = 0; step < 4; ++step) {
+    const QPoint to = grip + QPoint(-30, 0);
+    QMouseEvent move(QEvent::MouseMove, to, wipe.mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
+                     Qt::NoModifier);
+    QCoreApplication::sendEvent(&wipe, &move);
+  }
+  QTest::mouseRelease(&wipe, Qt::LeftButton, {}, grip);
+  settlePanes();
+  // The handle went with the pointer: 30 pixels each time, to the pixel that it is rounded to.
+  QVERIFY(std::abs(position() - (0.5 - 120.0 * pixel)) <= 4.0 * pixel);
+  QVERIFY(std::abs(middle() - position()) <= pixel);
+  QVERIFY(window.view().lastFrame()->camera() == camera);
+  QCOMPARE(window.controller().undoStack().count(), 1);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  QCOMPARE(position(), 0.5);
+  QVERIFY(std::abs(middle() - 0.5) <= pixel);
+  key(Qt::Key_F8);
+  QVERIFY(!wipe.isVisible());
+  QVERIFY(window.view().overlayContents().curtain.isNull());
+}
+
+void WindowTest::aWipesRightSideIsTheOtherTechnique() {
+  MainWindow& window = open(comparing(ComparisonMode::Wipe, {"vsm", "pcf"}));
+  settlePanes();
+  const QImage left = liveFrame(window);
+  const QImage right = bare(window.view().overlayContents().curtain);
+  QCOMPARE(right.size(), left.size());
+  QVERIFY(right != left);
+  // Through the key, the right one comes to the left and the left one goes to the right.
+  key(Qt::Key_1);
+  settlePanes();
+  const std::vector<std::string> swapped{"pcf", "vsm"};
+  QVERIFY(window.centre().comparison().shown() == swapped);
+  QVERIFY(liveFrame(window) == right);
+  QVERIFY(bare(window.view().overlayContents().curtain) == left);
+}
+
+void WindowTest::panesAreLabelledWithTheirErrorAtTheProbe() {
+  const std::vector<std::string> techniques{"vsm", "lvsm", "pcf"};
+  MainWindow& window = open(comparing(ComparisonMode::Grid, techniques));
+  settlePanes();
+  ComparisonPanes& panes = window.centre().comparison();
+  QVERIFY(panes.shown() == techniques);
+  const auto labelled = [&] {
+    for (std::size_t i = 0; i < techniques.size(); ++i) {
+      if (!panes.header(i).isVisible()) return false;
+      if (panes.header(i).technique() != style::text(techniques[i])) return false;
+      if (panes.header(i).errorText() != style::signedFigure(result(techniques[i].c_str()).error))
+        return false;
+    }
+    return true;
+  };
+  QVERIFY(labelled());
+  QCOMPARE(panes.header(2).errorText(), QString("+0.000"));  // it is the truth
+  QVERIFY(panes.header(0).errorText() != panes.header(2).errorText());
+  // Pointing at another pane probes the same pixel of all.
+  key(Qt::Key_Escape);
+  QVERIFY(panes.header(0).errorText().isEmpty());
+  const QSize size = window.view().pixels();
+  emit panes.picture(1).hovered(Pixel{size.width() / 2, size.height() * 4 / 5});
+  QTRY_VERIFY(window.prober().report().has_value());
+  QVERIFY(labelled());
+}
+
+void WindowTest::aClickedPaneIsTheSessions() {
+  const std::vector<std::string> techniques{"vsm", "pcf", "hard", "msm", "esm", "lvsm"};
+  MainWindow& window = open(comparing(ComparisonMode::Grid, techniques));
+  settlePanes();
+  ComparisonPanes& panes = window.centre().comparison();
+  QVERIFY(!panes.picture(0).isVisible());
+  const QRect place = panes.picture(1).geometry();
+  QTest::mouseClick(&panes.picture(1), Qt::LeftButton);
+  settlePanes();
+  QCOMPARE(window.controller().session().technique, std::string("pcf"));
+  QVERIFY(panes.shown() == techniques);
+  QVERIFY(!panes.picture(1).isVisible());
+  QVERIFY(panes.picture(0).isVisible());
+  QCOMPARE(window.view().geometry(), place);
+  // A technique that no pane has takes the live pane's place; undo brings both back.
+  key(Qt::Key_8);
+  settlePanes();
+  std::vector<std::string> exchanged = techniques;
+  exchanged[1] = "power-cdf";
+  QVERIFY(panes.shown() == exchanged);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  settlePanes();
+  QCOMPARE(window.controller().session().technique, std::string("vsm"));
+  QVERIFY(panes.shown() == techniques);
+  QVERIFY(!panes.picture(0).isVisible());
+}
+
+void WindowTest::whatAPaneCannotShowIsSaidThere() {
+  Session session = comparing(ComparisonMode::Grid, {"vsm", "power-cdf"});
+  session.frame.read.filter = ReadFilter::SummedArea;
+  MainWindow& window = open(session);
+  settlePanes();
+  ComparisonPanes& panes = window.centre().comparison();
+  QVERIFY(window.controller().refusals().contains("power-cdf"));
+  QVERIFY(panes.picture(1).picture().isNull());
+  QCOMPARE(panes.picture(1).message(), window.controller().refusals().value("power-cdf"));
+  window.controller().edit("Read texels",
+                           [](Session& s) { s.frame.read.filter = ReadFilter::Bilinear; });
+  settlePanes();
+  QVERIFY(!panes.picture(1).picture().isNull());
+  QVERIFY(panes.picture(1).message().isEmpty());
+}
+
+}  // namespace umbra
