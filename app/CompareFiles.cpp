@@ -28,8 +28,9 @@ std::string decompositionText(const std::vector<MetricsRow>& rows) {
 
 }  // namespace
 
-void writeCompare(OutputFolder& folder, const std::vector<MetricsRow>& rows) {
-  const Json object = compareToJson(rows);
+void writeCompare(OutputFolder& folder, const std::vector<MetricsRow>& rows,
+                  std::string_view reference) {
+  const Json object = compareToJson(rows, reference);
   std::string csv;
   for (const Json& row : object["techniques"]) {
     std::string heading, line;

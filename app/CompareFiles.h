@@ -10,7 +10,9 @@
 namespace umbra {
 
 // compare.json and compare.csv: one row per technique, the columns of the JSON.
-void writeCompare(OutputFolder& folder, const std::vector<MetricsRow>& rows);
+// `reference` as in compareToJson.
+void writeCompare(OutputFolder& folder, const std::vector<MetricsRow>& rows,
+                  std::string_view reference = "pcf");
 
 // For people.
 std::string compareText(const std::vector<MetricsRow>& rows);

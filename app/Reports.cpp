@@ -118,7 +118,15 @@ void addTraces(Json& object, const Probe& probe) {
     object["techniques"][i]["trace"] = traceToJson(explain(probe, probe.techniques[i]));
 }
 
-Json compareToJson(const std::vector<MetricsRow>& rows) {
+void addRayTraced(Json& object, double visibility, bool replaces) {
+  object["raytraced"] = visibility;
+  object["errorAgainst"] = replaces ? "raytraced" : "pcf";
+  if (!replaces) return;
+  for (Json& row : object["techniques"])
+    row["error"] = row["visibility"].get<double>() - visibility;
+}
+
+Json compareToJson(const std::vector<MetricsRow>& rows, std::string_view reference) {
   Json techniques = Json::array();
   for (const auto& [id, metrics, reduction, decomposition] : rows) {
     Json row = {{"name", id},
@@ -139,7 +147,7 @@ Json compareToJson(const std::vector<MetricsRow>& rows) {
   }
   return {{"format", "umbrascope-compare/1"},
           {"samples", rows.empty() ? 0 : rows.front().metrics.samples},
-          {"reference", "pcf"},
+          {"reference", reference},
           {"techniques", techniques}};
 }
 

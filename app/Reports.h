@@ -38,6 +38,10 @@ Json probeToJson(const Probe& probe, const DepthMap& map, const ProbeReport& rep
 // part.
 void addTraces(Json& object, const Probe& probe);
 
+// Adds to probeToJson the ray-traced visibility as "raytraced", and as "errorAgainst" which truth
+// the techniques' errors are against: with `replaces` it, else "pcf".
+void addRayTraced(Json& object, double visibility, bool replaces);
+
 struct MetricsRow {
   std::string technique;
   Metrics metrics;
@@ -46,7 +50,8 @@ struct MetricsRow {
 };
 // "umbrascope-compare/1". The darkening of a smallest reduction is a mean, as that of the metrics.
 // The parts of a decomposition are means over all samples and add up to its "error".
-Json compareToJson(const std::vector<MetricsRow>& rows);
+// "reference" names the truth: "pcf" or "raytraced".
+Json compareToJson(const std::vector<MetricsRow>& rows, std::string_view reference = "pcf");
 
 // The entry of one technique or scene in its catalogue.
 Json techniqueToJson(Technique& technique);

@@ -1,6 +1,7 @@
 // Techniques against the reference over all pixels of a frame.
 #pragma once
 
+#include "app/RayTracedFrame.h"
 #include "app/Reports.h"
 #include "app/display/Display.h"
 
@@ -8,6 +9,8 @@ namespace umbra {
 
 // Of the frame as it was last rendered with `technique`, over every pixel that receives shadow.
 // Renders it again without light-bleeding reduction where the technique has one set.
-MetricsRow compareFrame(HeadlessFrame& frame, const Technique& technique);
+// Against `rays` where given, and then over the pixels that have one.
+MetricsRow compareFrame(HeadlessFrame& frame, const Technique& technique,
+                        const RayTracedReference* rays = nullptr);
 
 }  // namespace umbra

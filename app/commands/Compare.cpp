@@ -5,6 +5,7 @@
 #include "app/Cancellation.h"
 #include "app/CompareFiles.h"
 #include "app/FrameDecomposition.h"
+#include "app/RayTracedFrame.h"
 #include "app/Reports.h"
 #include "app/SceneCompare.h"
 #include "app/SceneSources.h"
@@ -25,9 +26,10 @@ struct CompareCommand {
   void compareMap(Session session) const;
   void compareScene(const Session& session) const;
   std::vector<std::shared_ptr<Technique>> techniques(const Session& session) const;
+  bool rayTraced() const;
 
   SessionOptions options;
-  std::optional<std::string> receiver, folder;
+  std::optional<std::string> receiver, folder, reference;
   bool json = false, decompose = false;
   TechniqueCatalogue catalogue = allTechniques();
 };
@@ -48,10 +50,22 @@ CompareCommand::CompareCommand(CLI::App& command) {
                 "Of a scene: also take each technique's error apart, into bleeding, contact leak, "
                 "over-darkening, reduction and precision")
       ->group(group);
+  command
+      .add_option(
+          "--reference", reference,
+          "What is true: exact percentage-closer filtering of the map (the default), or, of "
+          "a scene, of a map of unlimited resolution, by rays through every texel")
+      ->type_name("pcf|raytraced")
+      ->group(group);
   command.add_flag("--json", json, "Print one JSON object")->group(group);
   command.footer(
       "The error is visibility minus exact percentage-closer filtering over the same region; a\n"
-      "scene counts every pixel that faces the light inside its map, a depth map every texel.");
+      "scene counts every pixel that faces the light inside its map, a depth map every texel.\n"
+      "With --reference raytraced that includes the error of the map itself, which pcf's row "
+      "shows\n"
+      "alone. Of frames with very wide regions it counts an even grid of pixels ('samples'), and "
+      "-o\n"
+      "writes no error pictures.");
   options.addTo(command);
 }
 
@@ -60,9 +74,16 @@ std::vector<std::shared_ptr<Technique>> CompareCommand::techniques(const Session
                         options.techniques(catalogue, everyTechnique(catalogue)));
 }
 
+bool CompareCommand::rayTraced() const {
+  return reference && rayTracedFrom(*reference, "--reference");
+}
+
 void CompareCommand::run() const {
   if (json && folder)
     throw Error(ErrorKind::BadCommandLine, "--json: excludes -o, give one of them");
+  if (rayTraced() && decompose)
+    throw Error(ErrorKind::BadCommandLine,
+                "--decompose: takes the error against pcf apart, leave --reference raytraced out");
   if (folder) checkWritable(std::filesystem::path(*folder) / "compare.json");
   const Session session = options.session(catalogue);
   if (session.source.kind == SourceKind::DepthFile)
@@ -75,6 +96,11 @@ void CompareCommand::compareMap(Session session) const {
   if (receiver) session.receiver = numberFrom(*receiver, "--receiver", {0.0, 1.0});
   if (!session.receiver)
     throw Error(ErrorKind::BadCommandLine, "--receiver: is missing, give --receiver Z");
+  if (rayTraced())
+    throw Error(
+        ErrorKind::BadCommandLine,
+        "--reference: a depth map has no surfaces that rays could meet; raytraced goes with "
+        "a scene");
   if (decompose)
     throw Error(ErrorKind::BadCommandLine, "--decompose: goes with a scene, not with --depth");
   if (!options.namesFormat() && !options.namesSession())
@@ -114,21 +140,25 @@ void CompareCommand::compareScene(const Session& session) const {
   const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
   std::optional<OutputFolder> files;
   if (folder) files.emplace(*folder);
+  std::optional<RayTracedReference> rays;  // the same whatever the technique
   std::vector<MetricsRow> rows;
   for (const auto& technique : chosen) {
     throwIfCancelled();
     const std::string id(technique->info().id);
-    frame->render(*technique, ViewMode::Error);
-    if (files) display->writePictures({{id, frame->colour()}}, files->file("error-" + id + ".png"));
+    frame->render(*technique, rayTraced() ? ViewMode::Shaded : ViewMode::Error);
+    if (rayTraced() && !rays) rays = rayTracedReference(*frame, *scene, session.frame);
+    if (files && !rays)
+      display->writePictures({{id, frame->colour()}}, files->file("error-" + id + ".png"));
     std::optional<ErrorSums> parts;
     if (decompose) parts = sumsOf(decomposeFrame(*frame, session.frame, *technique));
-    rows.push_back(compareFrame(*frame, *technique));
+    rows.push_back(compareFrame(*frame, *technique, rays ? &*rays : nullptr));
     rows.back().decomposition = parts;
   }
   throwIfCancelled();
-  if (json) return printJson(compareToJson(rows));
+  const std::string_view truth = rays ? "raytraced" : "pcf";
+  if (json) return printJson(compareToJson(rows, truth));
   if (!files) return print(compareText(rows));
-  writeCompare(*files, rows);
+  writeCompare(*files, rows, truth);
   files->finish();
 }
 

@@ -3,6 +3,7 @@
 
 #include "app/FrameReads.h"
 #include "app/ProbeFiles.h"
+#include "app/RayTracedFrame.h"
 #include "app/Reports.h"
 #include "app/SceneProbe.h"
 #include "app/SceneSources.h"
@@ -23,12 +24,13 @@ struct ProbeCommand {
   void probeDepthMap(Session session) const;
   void probePixel(const Session& session) const;
   std::vector<std::shared_ptr<Technique>> techniques(const Session& session) const;
+  bool rayTraced() const;
   // Writes or prints what was asked for.
   void finish(const ProbeRequest& request, const Probe& probe, const Json& json,
               const Session& session, Display* display) const;
 
   SessionOptions options;
-  std::optional<std::string> texel, pixel, receiver, bins, samples, folder;
+  std::optional<std::string> texel, pixel, receiver, bins, samples, folder, reference;
   bool json = false, trace = false;
   TechniqueCatalogue catalogue = allTechniques();
 };
@@ -46,6 +48,9 @@ ProbeCommand::ProbeCommand(CLI::App& command) {
   add("--bins", bins, "N", "Bins of the histogram (default 60)");
   add("--samples", samples, "N", "Also every technique's curve at N depths from 0 to 1");
   add("-o,--output", folder, "DIR", "Write probe.json and the plots as PNG, SVG, PDF and CSV");
+  add("--reference", reference, "pcf|raytraced",
+      "Of a scene: what the errors are against, exact percentage-closer filtering of the map (the "
+      "default), or of a map of unlimited resolution, by rays through every texel");
   command.add_flag("--json", json, "Print one JSON object")->group(group);
   command
       .add_flag("--trace", trace,
@@ -67,9 +72,16 @@ int samplesOf(const std::optional<std::string>& text) {
   return text ? integerFrom(*text, "--samples", 2, 1000000) : 0;
 }
 
+bool ProbeCommand::rayTraced() const {
+  return reference && rayTracedFrom(*reference, "--reference");
+}
+
 void ProbeCommand::run() const {
   if (json && folder)
     throw Error(ErrorKind::BadCommandLine, "--json: excludes -o, give one of them");
+  if (rayTraced() && trace)
+    throw Error(ErrorKind::BadCommandLine,
+                "--trace: takes the error against pcf apart, leave --reference raytraced out");
   binsOf(bins);
   samplesOf(samples);
   if (folder) checkWritable(std::filesystem::path(*folder) / "probe.json");
@@ -85,6 +97,11 @@ void ProbeCommand::probeDepthMap(Session session) const {
   if (pixel)
     throw Error(ErrorKind::BadCommandLine,
                 "--pixel: goes with a scene, a depth map takes --texel X,Y");
+  if (rayTraced())
+    throw Error(
+        ErrorKind::BadCommandLine,
+        "--reference: a depth map has no surfaces that rays could meet; raytraced goes with "
+        "a scene");
   if (texel) session.probe = pixelFrom(*texel, "--texel");
   if (!session.probe)
     throw Error(ErrorKind::BadCommandLine, "--texel: is missing, give --texel X,Y");
@@ -133,8 +150,10 @@ void ProbeCommand::probePixel(const Session& session) const {
   const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
   if (!place) place = worstBleeding(*frame, *suspectOf(chosen));
   const SceneProbe probe = probeScene(*frame, session, chosen, *place);
+  const double rays = rayTracedVisibility(*frame, *scene, session.frame, probe.probe);
   Json object = sceneProbeToJson(probe, frame->depthMap(), name, session.frame.read.filter,
                                  binsOf(bins), samplesOf(samples));
+  addRayTraced(object, rays, rayTraced());
   if (trace) addTraces(object, probe.probe);
   ProbeRequest request = requestAt(*frame, session.frame, probe.surface);
   request.receiver = probe.probe.receiver;

@@ -104,6 +104,11 @@ int samplesFrom(std::string_view text, std::string_view option) {
   refuse(option, text, "1, 2, 4 or 8");
 }
 
+bool rayTracedFrom(std::string_view text, std::string_view option) {
+  if (text != "pcf" && text != "raytraced") refuse(option, text, "pcf or raytraced");
+  return text == "raytraced";
+}
+
 bool switchFrom(std::string_view text, std::string_view option) {
   if (text != "on" && text != "off") refuse(option, text, "on or off");
   return text == "on";

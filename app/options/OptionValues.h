@@ -26,6 +26,8 @@ double sigmaFrom(std::string_view text, std::string_view option);
 void refuseEmpty(std::string_view text, std::string_view option, const std::string& right);
 // Depths a texel: 1, 2, 4 or 8.
 int samplesFrom(std::string_view text, std::string_view option);
+// "pcf" or "raytraced": whether rays are the truth.
+bool rayTracedFrom(std::string_view text, std::string_view option);
 // "on" or "off".
 bool switchFrom(std::string_view text, std::string_view option);
 
