@@ -34,6 +34,15 @@ struct PlotMarker {
   std::string label;
   std::string colour;
   bool dashed = true;
+  bool draggable = false;  // in a window, along its axis
+};
+
+// A stretch of x behind the series, such as a layer of depth.
+struct PlotBand {
+  double low = 0.0, high = 1.0;
+  std::string name;  // what it is, beside the values at an x within it
+  std::string colour;
+  bool hatched = false;  // else filled
 };
 
 // A thick bar from (x, from) to (x, to): the error at the receiver.
@@ -52,10 +61,11 @@ struct Plot {
   std::string title;
   std::string xLabel, yLabel;
   std::optional<PlotRange> xRange, yRange;  // fitted to the data where not set
-  bool wholeX = false;  // x counts something: ticks at whole numbers only
+  bool wholeX = false;                      // x counts something: ticks at whole numbers only
   std::vector<PlotSeries> series;
   std::vector<PlotMarker> markers;
   std::vector<PlotError> errors;
+  std::vector<PlotBand> bands;  // in drawing order
 };
 
 // One column of x and one of y for every series, with a header line; series that share their x

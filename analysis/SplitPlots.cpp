@@ -4,11 +4,12 @@
 #include <string>
 
 #include "analysis/ProbePlots.h"
+#include "filters/core/Text.h"
 
 namespace umbra {
 namespace {
 
-constexpr std::string_view splitColour = "#7b4fa3";
+constexpr std::string_view splitColour = "#7b4fa3", uniformColour = "#6b7785";
 
 // A bin without width could not be seen.
 std::vector<double> visibleEdges(const Histogram& histogram) {
@@ -44,6 +45,33 @@ Plot splitsPlot(const Histogram& histogram, std::span<const double> splits) {
   return plot;
 }
 
+Plot layersPlot(const Histogram& histogram, std::span<const double> splits, double overlap,
+                std::span<const std::string> colours) {
+  Plot plot = splitsPlot(histogram, splits);
+  plot.name = "layers";
+  for (PlotMarker& marker : plot.markers) marker.draggable = true;
+  std::vector<double> bounds{0.0};
+  bounds.insert(bounds.end(), splits.begin(), splits.end());
+  bounds.push_back(1.0);
+  const std::size_t layers = bounds.size() - 1;
+  for (std::size_t i = 0; i < layers; ++i) {
+    // What the layer's warp covers is wider than what it decides.
+    const double low = i == 0 ? 0.0 : bounds[i] - overlap;
+    const double high = i + 1 == layers ? 1.0 : bounds[i + 1] + overlap;
+    plot.bands.push_back(
+        {bounds[i], bounds[i + 1],
+         "layer " + std::to_string(i + 1) + " covers " + shortNumber(low) + "–" + shortNumber(high),
+         colours[i % colours.size()]});
+  }
+  if (overlap <= 0.0) return plot;
+  for (std::size_t k = 0; k < splits.size(); ++k)
+    plot.bands.push_back({splits[k] - overlap, splits[k] + overlap,
+                          "layers " + std::to_string(k + 1) + " and " + std::to_string(k + 2) +
+                              " blended, δ = " + shortNumber(overlap),
+                          std::string(splitColour), true});
+  return plot;
+}
+
 Plot costPlot(std::span<const double> cost) {
   Plot plot{.name = "cost",
             .title = "Cost of the splits",
@@ -59,6 +87,16 @@ Plot costPlot(std::span<const double> cost) {
   plot.xRange = PlotRange{0.0, std::max(1.0, double(cost.size()) - 1.0)};
   plot.yRange = PlotRange{0.0, highest > 0.0 ? 1.08 * highest : 1.0};
   plot.series.push_back(std::move(series));
+  return plot;
+}
+
+Plot costPlot(std::span<const double> cost, double uniform, std::size_t shown) {
+  Plot plot = costPlot(cost);
+  if (shown < cost.size())
+    plot.series.push_back(
+        {"", std::string(splitColour), SeriesStyle::Points, {double(shown)}, {cost[shown]}});
+  plot.markers.push_back({MarkerAxis::Horizontal, uniform, "uniform", std::string(uniformColour)});
+  if (uniform > 0.0) plot.yRange->high = std::max(plot.yRange->high, 1.08 * uniform);
   return plot;
 }
 

@@ -45,6 +45,41 @@ TEST(SplitsPlot, IsSensibleWithoutSamplesAndWithOneDepth) {
   EXPECT_LT(plot.series[0].x[0], plot.series[0].x[1]);
 }
 
+TEST(LayersPlot, CutsDepthIntoBandsAndHatchesTheirOverlaps) {
+  const std::vector<double> splits{0.3, 0.6, 0.9};
+  const std::vector<std::string> colours{"#111111", "#222222"};
+  const Plot plot = layersPlot({{0.25, 1.0}, {1.0}}, splits, 0.02, colours);
+  ASSERT_EQ(plot.bands.size(), 4u + 3u);
+  const double bounds[] = {0.0, 0.3, 0.6, 0.9, 1.0};
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(plot.bands[i].low, bounds[i]);
+    EXPECT_EQ(plot.bands[i].high, bounds[i + 1]);
+    EXPECT_EQ(plot.bands[i].colour, colours[i % 2]);
+    EXPECT_FALSE(plot.bands[i].hatched);
+  }
+  // Lauritzen 2008, §4.1.1: widened by the overlap, but not at 0 and 1.
+  EXPECT_EQ(plot.bands[0].name, "layer 1 covers 0–0.32");
+  EXPECT_EQ(plot.bands[1].name, "layer 2 covers 0.28–0.62");
+  EXPECT_EQ(plot.bands[3].name, "layer 4 covers 0.88–1");
+  EXPECT_TRUE(plot.bands[4].hatched);
+  EXPECT_DOUBLE_EQ(plot.bands[4].low, 0.28);
+  EXPECT_DOUBLE_EQ(plot.bands[4].high, 0.32);
+  for (const PlotMarker& marker : plot.markers) EXPECT_TRUE(marker.draggable);
+  EXPECT_EQ(layersPlot({}, splits, 0.0, colours).bands.size(), 4u);
+  EXPECT_EQ(layersPlot({}, {}, 0.02, colours).bands.size(), 1u);
+}
+
+TEST(CostPlot, SetsUniformBesideTheIterations) {
+  const Plot plot = costPlot(std::vector<double>{0.25, 0.125}, 0.5, 1);
+  ASSERT_EQ(plot.series.size(), 2u);
+  EXPECT_EQ(plot.series[1].x, std::vector<double>{1.0});
+  EXPECT_EQ(plot.series[1].y, std::vector<double>{0.125});
+  ASSERT_EQ(plot.markers.size(), 1u);
+  EXPECT_EQ(plot.markers[0].axis, MarkerAxis::Horizontal);
+  EXPECT_EQ(plot.markers[0].position, 0.5);
+  EXPECT_GE(plot.yRange->high, 0.5);
+}
+
 TEST(CostPlot, CountsIterationsFromZero) {
   const Plot plot = costPlot(std::vector<double>{0.5, 0.25, 0.25});
   ASSERT_EQ(plot.series.size(), 1u);

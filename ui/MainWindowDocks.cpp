@@ -1,12 +1,15 @@
 // The window's docks: where they stand at first, and again after "Reset layout".
 #include <QDockWidget>
 #include <QHBoxLayout>
+#include <QStatusBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
 #include "ui/ControlPane.h"
 #include "ui/DockGrip.h"
 #include "ui/EvidencePanes.h"
+#include "ui/LayersController.h"
+#include "ui/LayersPane.h"
 #include "ui/MainWindow.h"
 #include "ui/widgets/PlotPane.h"
 #include "ui/widgets/ProbeTable.h"
@@ -31,6 +34,16 @@ QWidget* makeMapPane(ShadowMapView& map, RegionTable& region) {
   return pane;
 }
 
+QWidget* makeLayersPane(MainWindow& window) {
+  auto* layers = new LayersController(window.controller(), window.view());
+  auto* pane = new LayersPane(*layers, window.controller());
+  layers->setParent(pane);
+  QObject::connect(layers, &LayersController::failed, &window, &MainWindow::showError);
+  QObject::connect(pane, &LayersPane::message, &window,
+                   [&window](const QString& text) { window.statusBar()->showMessage(text, 6000); });
+  return pane;
+}
+
 }  // namespace
 
 void MainWindow::makeDocks() {
@@ -51,6 +64,8 @@ void MainWindow::makeDocks() {
   tabifyDockWidget(docks_[3], docks_[5]);
   addDock(tr("Why is it lit?"), "traceDock", &evidence_->trace(), Qt::BottomDockWidgetArea);
   tabifyDockWidget(docks_[1], docks_.back());
+  addDock(tr("Layers"), "layersDock", makeLayersPane(*this), Qt::RightDockWidgetArea);
+  tabifyDockWidget(docks_[3], docks_.back());
 }
 
 QDockWidget* MainWindow::addDock(const QString& title, const QString& name, QWidget* content,
@@ -73,7 +88,7 @@ void MainWindow::resetLayout() {
   QDockWidget *controls = dockOf("controlsDock"), *table = dockOf("tableDock"),
               *map = dockOf("mapDock"), *curves = dockOf("curvesDock"),
               *histogram = dockOf("histogramDock"), *cdf = dockOf("cdfDock"),
-              *trace = dockOf("traceDock");
+              *trace = dockOf("traceDock"), *layers = dockOf("layersDock");
   for (QDockWidget* dock : docks_) dock->setFloating(false);
   for (QDockWidget* dock : docks_) removeDockWidget(dock);
   addDockWidget(Qt::LeftDockWidgetArea, controls);
@@ -86,6 +101,7 @@ void MainWindow::resetLayout() {
   else
     tabifyDockWidget(curves, histogram);
   tabifyDockWidget(histogram, cdf);
+  tabifyDockWidget(cdf, layers);
   tabifyDockWidget(table, trace);
   for (QDockWidget* dock : docks_) dock->show();
   (tall ? histogram : curves)->raise();

@@ -15,6 +15,7 @@
 #include "filters/core/AtomicFile.h"
 #include "filters/core/Error.h"
 #include "ui/plots/AnnotationItem.h"
+#include "ui/plots/BandItem.h"
 #include "ui/plots/PlotFitter.h"
 #include "ui/plots/PlotStyle.h"
 #include "ui/plots/SeriesItem.h"
@@ -99,6 +100,7 @@ void showPlot(QwtPlot& widget, const Plot& plot) {
   widget.setAutoReplot(false);
   widget.detachItems(QwtPlotItem::Rtti_PlotItem, true);
   applyPlotStyle(widget);
+  for (const PlotBand& band : plot.bands) (new BandItem(band))->attach(&widget);
   // A single series is named by the title.
   const bool inLegend = std::count_if(plot.series.begin(), plot.series.end(),
                                       [](const auto& one) { return !one.name.empty(); }) > 1;

@@ -98,6 +98,43 @@ TEST_F(PlotPaneTest, ReceiversMarkerIsDragged) {
   EXPECT_EQ(finished.count(), 1);
 }
 
+TEST_F(PlotPaneTest, DraggableMarkersAreDraggedByTheirNumber) {
+  Plot plot = examplePlot();
+  plot.markers.push_back({MarkerAxis::Vertical, 0.5, "s1", "#7b4fa3", false, true});
+  pane.setPlot(plot);
+  pane.canvas()->replot();
+  QSignalSpy dragged(&pane, &PlotPane::markerDragged);
+  QSignalSpy finished(&pane, &PlotPane::markerDragFinished);
+  QSignalSpy receiver(&pane, &PlotPane::depthDragged);
+  QWidget* canvas = pane.canvas()->canvas();
+  const double pixel = pane.canvas()->invTransform(QwtPlot::xBottom, 1) -
+                       pane.canvas()->invTransform(QwtPlot::xBottom, 0);
+  QTest::mousePress(canvas, Qt::LeftButton, {}, at(0.5));
+  moveMouse(canvas, at(0.3), Qt::LeftButton);
+  ASSERT_GE(dragged.count(), 1);
+  EXPECT_EQ(dragged.last()[0].toInt(), 2);
+  EXPECT_NEAR(dragged.last()[1].toDouble(), 0.3, pixel);
+  QTest::mouseRelease(canvas, Qt::LeftButton, {}, at(0.3));
+  EXPECT_EQ(finished.count(), 1);
+  EXPECT_EQ(receiver.count(), 0);
+}
+
+TEST_F(PlotPaneTest, ABandLiesBehindItsStretchAlone) {
+  Plot plot = examplePlot();
+  plot.series.clear();
+  plot.markers.clear();
+  plot.bands = {{0.5, 1.0, "layer 2", "#ff0000"}};
+  pane.setPlot(plot);
+  pane.canvas()->replot();
+  const QImage picture = pane.canvas()->canvas()->grab().toImage();
+  const double ratio = picture.devicePixelRatio();
+  // Off the grid's lines.
+  const QColor outside = picture.pixelColor(at(0.33) * ratio);
+  const QColor inside = picture.pixelColor(at(0.77) * ratio);
+  EXPECT_EQ(outside.red(), outside.green());
+  EXPECT_GT(inside.red(), inside.green());
+}
+
 TEST_F(PlotPaneTest, OtherMarkersStay) {
   QSignalSpy dragged(&pane, &PlotPane::depthDragged);
   QWidget* canvas = pane.canvas()->canvas();

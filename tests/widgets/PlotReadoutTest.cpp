@@ -44,5 +44,12 @@ TEST(PlotReadout, NamesEverySeriesThatHasAValue) {
   EXPECT_EQ(text.find("far"), std::string::npos);
 }
 
+TEST(PlotReadout, NamesTheBandsThatHoldX) {
+  Plot plot;
+  plot.bands = {{0.0, 0.5, "layer 1", "#112233"}, {0.5, 1.0, "layer 2", "#445566"}};
+  EXPECT_NE(readoutAt(plot, 0.3).find("layer 1"), std::string::npos);
+  EXPECT_EQ(readoutAt(plot, 0.3).find("layer 2"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace umbra

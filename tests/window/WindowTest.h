@@ -32,6 +32,10 @@ class WindowTest : public QObject {
   void whatAFormatCannotHoldCannotBeChosen();
   void aSliderDragIsOneStep();
   void anotherNumberOfLayersDropsTheSplits();
+  void aSplitIsDragged();
+  void lloydIsSteppedToItsEndAndUndone();
+  void whatLloydPlayedIsOneStep();
+  void aTechniqueWithoutLayersNamesThoseThatHaveThem();
   void aWipeIsDragged();
   void aWipesRightSideIsTheOtherTechnique();
   void panesAreLabelledWithTheirErrorAtTheProbe();

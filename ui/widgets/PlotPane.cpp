@@ -19,6 +19,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "analysis/ProbePlots.h"
 #include "filters/core/Error.h"
@@ -29,7 +30,7 @@
 namespace umbra {
 namespace {
 
-constexpr double grabDistance = 6.0;  // pixels to either side of the receiver's marker
+constexpr double grabDistance = 6.0;  // pixels to either side of a marker
 
 QToolButton* headerButton(const QString& text, const QString& toolTip) {
   auto* button = new QToolButton;
@@ -85,7 +86,7 @@ void PlotPane::fitAxisTitle() {
 
 void PlotPane::clear(const QString& hint) {
   plot_.reset();
-  dragging_ = false;
+  dragged_.reset();
   hint_->setText(hint);
   pages_->setCurrentWidget(hint_);
 }
@@ -118,12 +119,40 @@ void PlotPane::saveAs() {
   }
 }
 
-std::optional<double> PlotPane::markerPixel() const {
-  if (!plot_) return std::nullopt;
-  for (const PlotMarker& marker : plot_->markers)
-    if (marker.axis == MarkerAxis::Vertical && marker.colour == probeColour)
-      return widget_->canvasMap(QwtPlot::xBottom).transform(marker.position);
-  return std::nullopt;
+bool PlotPane::isReceiver(int marker) const {
+  return plot_->markers[std::size_t(marker)].colour == probeColour;
+}
+
+std::optional<int> PlotPane::markerAt(int pixel) const {
+  std::optional<int> found;
+  double nearest = grabDistance;
+  for (int i = 0; i < int(plot_->markers.size()); ++i) {
+    const PlotMarker& marker = plot_->markers[std::size_t(i)];
+    if (marker.axis != MarkerAxis::Vertical || !(marker.draggable || isReceiver(i))) continue;
+    const double distance =
+        std::abs(widget_->canvasMap(QwtPlot::xBottom).transform(marker.position) - pixel);
+    if (distance > nearest) continue;
+    nearest = distance;
+    found = i;
+  }
+  return found;
+}
+
+void PlotPane::drag(int pixel) {
+  // A plot set meanwhile may have fewer markers.
+  if (*dragged_ >= int(plot_->markers.size())) return endDrag();
+  if (isReceiver(*dragged_))
+    emit depthDragged(depthAt(pixel));
+  else
+    emit markerDragged(*dragged_, depthAt(pixel));
+}
+
+void PlotPane::endDrag() {
+  const int marker = *std::exchange(dragged_, std::nullopt);
+  if (marker < int(plot_->markers.size()) && isReceiver(marker))
+    emit depthDragFinished();
+  else
+    emit markerDragFinished();
 }
 
 double PlotPane::depthAt(int pixel) const {
@@ -131,9 +160,7 @@ double PlotPane::depthAt(int pixel) const {
 }
 
 void PlotPane::hover(const QPoint& pixel) {
-  const std::optional<double> marker = markerPixel();
-  const bool grab = marker && std::abs(*marker - pixel.x()) <= grabDistance;
-  widget_->canvas()->setCursor(grab ? Qt::SplitHCursor : Qt::CrossCursor);
+  widget_->canvas()->setCursor(markerAt(pixel.x()) ? Qt::SplitHCursor : Qt::CrossCursor);
   const double x = widget_->invTransform(QwtPlot::xBottom, pixel.x());
   QToolTip::showText(widget_->canvas()->mapToGlobal(pixel + QPoint(8, 8)),
                      QString::fromStdString(readoutAt(*plot_, x)), widget_->canvas());
@@ -144,23 +171,21 @@ bool PlotPane::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Resize) fitAxisTitle();
   if (event->type() == QEvent::MouseMove) {
     const QPoint pixel = static_cast<QMouseEvent*>(event)->pos();
-    if (dragging_)
-      emit depthDragged(depthAt(pixel.x()));
+    if (dragged_)
+      drag(pixel.x());
     else
       hover(pixel);
     return true;
   }
   if (event->type() == QEvent::MouseButtonPress) {
     const auto* mouse = static_cast<QMouseEvent*>(event);
-    const std::optional<double> marker = markerPixel();
-    if (mouse->button() != Qt::LeftButton || !marker) return false;
-    dragging_ = std::abs(*marker - mouse->pos().x()) <= grabDistance;
-    if (dragging_) QToolTip::hideText();
-    return dragging_;
+    if (mouse->button() != Qt::LeftButton) return false;
+    dragged_ = markerAt(mouse->pos().x());
+    if (dragged_) QToolTip::hideText();
+    return dragged_.has_value();
   }
-  if (event->type() == QEvent::MouseButtonRelease && dragging_) {
-    dragging_ = false;
-    emit depthDragFinished();
+  if (event->type() == QEvent::MouseButtonRelease && dragged_) {
+    endDrag();
     return true;
   }
   return Card::eventFilter(watched, event);

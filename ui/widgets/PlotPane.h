@@ -37,6 +37,9 @@ class PlotPane : public Card {
   // The receiver's marker (a vertical one in probeColour) is dragged to this x, in [0,1].
   void depthDragged(double depth);
   void depthDragFinished();
+  // A draggable marker, counted in the plot's list, is dragged to this x, in [0,1].
+  void markerDragged(int marker, double x);
+  void markerDragFinished();
   // One line for the status bar after saveAs: that it is done, or why not.
   void message(const QString& text);
 
@@ -45,7 +48,11 @@ class PlotPane : public Card {
   void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
-  std::optional<double> markerPixel() const;  // of the receiver, across the plot's canvas
+  // The marker nearest to this pixel across the plot's canvas, of those that can be dragged there.
+  std::optional<int> markerAt(int pixel) const;
+  bool isReceiver(int marker) const;
+  void drag(int pixel);
+  void endDrag();
   double depthAt(int pixel) const;
   void fitAxisTitle();  // cut where the plot is narrow
   void hover(const QPoint& pixel);
@@ -54,7 +61,7 @@ class PlotPane : public Card {
   QLabel* hint_;
   QStackedLayout* pages_;
   std::optional<Plot> plot_;
-  bool dragging_ = false;
+  std::optional<int> dragged_;  // marker
 };
 
 }  // namespace umbra

@@ -50,6 +50,9 @@ std::string readoutAt(const Plot& plot, double x) {
     text += "<tr><td style='color:" + series.colour + "'>" + escaped(series.name) +
             "&nbsp;&nbsp;</td><td align='right'>" + shortNumber(*y) + "</td></tr>";
   }
+  for (const PlotBand& band : plot.bands)
+    if (!band.name.empty() && x >= band.low && x <= band.high)
+      text += "<tr><td colspan='2'>" + escaped(band.name) + "</td></tr>";
   return text + "</table>";
 }
 
