@@ -43,8 +43,8 @@ void MainWindow::makeCompareMenu(QMenu& view) {
   for (const Technique* technique : controller_.catalogue().all())
     known.emplace_back(technique->info().id);
   for (std::size_t count = Comparison::fewest; count <= Comparison::most; ++count)
-    addAction(*counts, QString::number(count), QKeySequence(QStringLiteral("Ctrl+%1").arg(count)),
-              [this, count, known] {
+    addAction(*counts, tr("%1 panes").arg(count),
+              QKeySequence(QStringLiteral("Ctrl+%1").arg(count)), [this, count, known] {
                 controller_.edit(tr("Show %1 panes").arg(count), [&](Session& session) {
                   session.comparison.mode = ComparisonMode::Grid;
                   setPaneCount(session, count, known);
