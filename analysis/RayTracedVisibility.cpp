@@ -61,7 +61,7 @@ double RayTracedVisibility::operator()(const Region& region, double receiver) co
     const auto lit = depths.end() - std::lower_bound(depths.begin(), depths.end(), receiver);
     visibility += texel.weight * double(lit) / double(depths.size());
   }
-  return visibility;
+  return std::min(visibility, 1.0);  // the weights' sum is rounded
 }
 
 }  // namespace umbra
