@@ -47,8 +47,8 @@ LayersPane::LayersPane(LayersController& layers, SessionController& controller, 
   layout->addLayout(buttons_);
   layout->addWidget(progress_);
   plots_->setSpacing(6);
-  plots_->addWidget(histogram_, 3);
-  plots_->addWidget(cost_, 2);
+  plots_->addWidget(histogram_);
+  plots_->addWidget(cost_);
   buttons_->setSpacing(4);
   start_ = addButton(tr("Uniform"), "lloydStart", tr("Start with uniform splits"));
   step_ = addButton(tr("Step"), "lloydStep",
@@ -93,8 +93,11 @@ void LayersPane::hideEvent(QHideEvent* event) {
 
 void LayersPane::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  plots_->setDirection(event->size().width() >= besideWidth ? QBoxLayout::LeftToRight
-                                                            : QBoxLayout::TopToBottom);
+  const bool beside = event->size().width() >= besideWidth;
+  plots_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  // One above the other on a projector, both are as low as their axes allow.
+  plots_->setStretch(0, beside ? 3 : 1);
+  plots_->setStretch(1, beside ? 2 : 1);
 }
 
 void LayersPane::refresh() {
