@@ -60,9 +60,9 @@ void MainWindow::makeCompareMenu(QMenu& view) {
         },
         "wipe");
   };
-  addAction(*menu, tr("Wipe to the &left"), QKeySequence("Alt+Left"),
+  addAction(*menu, tr("Wipe to the &left"), QKeySequence("Ctrl+Left"),
             [moveWipe] { moveWipe(-wipeStep); });
-  addAction(*menu, tr("Wipe to the &right"), QKeySequence("Alt+Right"),
+  addAction(*menu, tr("Wipe to the &right"), QKeySequence("Ctrl+Right"),
             [moveWipe] { moveWipe(wipeStep); });
 }
 
