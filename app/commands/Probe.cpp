@@ -13,6 +13,7 @@
 #include "app/options/OptionValues.h"
 #include "app/options/SessionOptions.h"
 #include "filters/core/Error.h"
+#include "filters/core/Text.h"
 
 namespace umbra {
 namespace {
@@ -149,11 +150,13 @@ void ProbeCommand::probePixel(const Session& session) const {
   const std::unique_ptr<Display> display = loadDisplay();
   const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
   if (!place) place = worstBleeding(*frame, *suspectOf(chosen));
-  const SceneProbe probe = probeScene(*frame, session, chosen, *place);
+  SceneProbe probe = probeScene(*frame, session, chosen, *place);
   const double rays = rayTracedVisibility(*frame, *scene, session.frame, probe.probe);
   Json object = sceneProbeToJson(probe, frame->depthMap(), name, session.frame.read.filter,
                                  binsOf(bins), samplesOf(samples));
   addRayTraced(object, rays, rayTraced());
+  if (rayTraced())
+    for (TechniqueResult& result : probe.probe.techniques) result.error = result.visibility - rays;
   if (trace) addTraces(object, probe.probe);
   ProbeRequest request = requestAt(*frame, session.frame, probe.surface);
   request.receiver = probe.probe.receiver;
@@ -164,6 +167,9 @@ void ProbeCommand::probePixel(const Session& session) const {
 void ProbeCommand::finish(const ProbeRequest& request, const Probe& probe, const Json& object,
                           const Session& session, Display* display) const {
   if (json) return printJson(object);
+  if (!folder && rayTraced())
+    print("ray traced " + shortNumber(object["raytraced"].get<double>()) +
+          ", which the errors are against\n");
   if (!folder) return print(probeText(probe) + (trace ? tracesText(probe) : std::string()));
   OutputFolder files(*folder);
   const std::unique_ptr<Display> own = display ? nullptr : loadDisplay();
