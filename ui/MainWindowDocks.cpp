@@ -8,6 +8,7 @@
 #include "ui/ControlPane.h"
 #include "ui/DockGrip.h"
 #include "ui/EvidencePanes.h"
+#include "ui/ExplainPane.h"
 #include "ui/LayersController.h"
 #include "ui/LayersPane.h"
 #include "ui/MainWindow.h"
@@ -66,6 +67,9 @@ void MainWindow::makeDocks() {
   tabifyDockWidget(docks_[1], docks_.back());
   addDock(tr("Layers"), "layersDock", makeLayersPane(*this), Qt::RightDockWidgetArea);
   tabifyDockWidget(docks_[3], docks_.back());
+  addDock(tr("More plots"), "explainDock", new ExplainPane(controller_, *prober_),
+          Qt::RightDockWidgetArea);
+  tabifyDockWidget(docks_[3], docks_.back());
 }
 
 QDockWidget* MainWindow::addDock(const QString& title, const QString& name, QWidget* content,
@@ -88,7 +92,8 @@ void MainWindow::resetLayout() {
   QDockWidget *controls = dockOf("controlsDock"), *table = dockOf("tableDock"),
               *map = dockOf("mapDock"), *curves = dockOf("curvesDock"),
               *histogram = dockOf("histogramDock"), *cdf = dockOf("cdfDock"),
-              *trace = dockOf("traceDock"), *layers = dockOf("layersDock");
+              *trace = dockOf("traceDock"), *layers = dockOf("layersDock"),
+              *explain = dockOf("explainDock");
   for (QDockWidget* dock : docks_) dock->setFloating(false);
   for (QDockWidget* dock : docks_) removeDockWidget(dock);
   addDockWidget(Qt::LeftDockWidgetArea, controls);
@@ -102,6 +107,7 @@ void MainWindow::resetLayout() {
     tabifyDockWidget(curves, histogram);
   tabifyDockWidget(histogram, cdf);
   tabifyDockWidget(cdf, layers);
+  tabifyDockWidget(layers, explain);
   tabifyDockWidget(table, trace);
   for (QDockWidget* dock : docks_) dock->show();
   (tall ? histogram : curves)->raise();

@@ -123,7 +123,7 @@ TEST(Lvsm, LloydSplitsFollowTheMap) {
   EXPECT_EQ(technique.layering().bounds[1], 0.5);  // no map yet
   technique.adapt(map);
   // One straight edge: two of four texels at either depth, so μ + σ is the farther depth.
-  EXPECT_NEAR(technique.layering().bounds[1], 0.8f, 1e-12);
+  EXPECT_NEAR(technique.layering().bounds[1], 0.8, 1e-12);
   technique.values.layers = 3;
   EXPECT_EQ(technique.layering().bounds[1], 1.0 / 3.0);  // not adapted to this many
 }
