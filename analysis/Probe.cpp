@@ -151,9 +151,9 @@ ReadPoint readInCascade(const ReadPoint& read, const Cascade& from, const Cascad
   there.footprint.x *= from.side / to.side;
   there.footprint.y *= from.side / to.side;
   if (read.filter == ReadFilter::SummedArea) {
-    const double least = 2.0 * kernel.effectiveRadius() + 1.0;
-    there.footprint.x = std::max(there.footprint.x, least);
-    there.footprint.y = std::max(there.footprint.y, least);
+    const double least = 2.0 * kernel.effectiveRadius() + 1.0, most = ReadSettings::largestSatWidth;
+    there.footprint.x = std::clamp(there.footprint.x, least, most);
+    there.footprint.y = std::clamp(there.footprint.y, least, most);
   }
   return there;
 }

@@ -147,9 +147,20 @@ void LayersController::lookForOccluders() {
     asked_ = mapKey();
     searching_ = true;
     thread_ = std::jthread([this, map] {
-      const auto occluders = std::make_shared<const Occluders>(occludersOf(*map));
-      QMetaObject::invokeMethod(
-          this, [this, occluders] { found(*occluders); }, Qt::QueuedConnection);
+      try {
+        const auto occluders = std::make_shared<const Occluders>(occludersOf(*map));
+        QMetaObject::invokeMethod(
+            this, [this, occluders] { found(*occluders); }, Qt::QueuedConnection);
+      } catch (const std::exception& problem) {  // memory, for the largest maps
+        const QString message = QString::fromUtf8(problem.what());
+        QMetaObject::invokeMethod(
+            this,
+            [this, message] {
+              searching_ = false;
+              emit failed(message);
+            },
+            Qt::QueuedConnection);
+      }
     });
   } catch (const std::exception& problem) {
     searching_ = false;

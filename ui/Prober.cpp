@@ -141,14 +141,29 @@ std::optional<Prober::Place> Prober::visiblePlace() {
       (surface->world - *pinnedPoint_).norm() > 0.05 * (1.0 + pinnedPoint_->norm()))
     return std::nullopt;  // something stands in front of the point now
   if (pinned && !pinnedPoint_) pinnedPoint_ = surface->world;
-  return Place{*pixel, *surface, view_.surfacePlane(*pixel, *surface),
-               view_.lastFrame()->lightFrame().project(surface->world).z, view_.mapRevision()};
+  return Place{*pixel,
+               *surface,
+               view_.surfacePlane(*pixel, *surface),
+               view_.lastFrame()->lightFrame().project(surface->world).z,
+               view_.mapRevision(),
+               true,
+               controller_.session().frame.read.filter};
 }
 
 std::optional<Prober::Place> Prober::hiddenPlace() {
   if (!lastSeen_) return std::nullopt;
   Place place = *lastSeen_;
   place.inSight = false;
+  const FrameSettings& frame = controller_.session().frame;
+  if (frame.read.filter == ReadFilter::SummedArea) {
+    const double least = 2.0 * frame.kernel.effectiveRadius() + 1.0;
+    Footprint& box = place.surface.footprint;
+    if (place.filter != frame.read.filter) box = {};
+    box.x = std::max(box.x, least);
+    box.y = std::max(box.y, least);
+  } else if (place.filter != frame.read.filter && frame.read.filter > ReadFilter::Bilinear) {
+    return std::nullopt;  // nobody knows what the hidden pixel would cover
+  }
   if (place.map == view_.mapRevision()) return place;
   // The light has moved: the point is elsewhere in its map, as far in front of itself as before.
   const LightPoint point = view_.lastFrame()->lightFrame().project(place.surface.world);
@@ -181,7 +196,7 @@ ProbeReport Prober::probeAt(const Place& place) {
         readInCascade(request.read, cascades[surface.cascade], cascades[next], request.kernel),
         surface.nextCascade});
   }
-  ProbeReport report = probe(std::move(request), frame.depthMap(0), view_.mapRevision());
+  ProbeReport report = probe(std::move(request), frame.depthMap(0), view_.firstMapRevision());
   report.cascade = surface.cascade;
   report.pixel = place.pixel;
   report.pinned = session.probe.has_value();

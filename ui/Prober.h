@@ -56,6 +56,7 @@ class Prober : public QObject {
     double depth = 0.0;          // in the light's frame, without bias
     int map = 0;                 // the revision of the map that it was read in
     bool inSight = true;
+    ReadFilter filter = ReadFilter::Point;  // that the footprint is of
   };
 
   std::optional<ProbeReport> take();

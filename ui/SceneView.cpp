@@ -91,9 +91,14 @@ void SceneView::showDocument(const Document& document, const Technique& techniqu
                       session.frame.map.size != old.map.size ||
                       session.frame.bias.cullFrontFaces != old.bias.cullFrontFaces;
   const bool newTechnique = !technique_ || !sameSettings(technique, *technique_);
+  const auto summed = [](const FrameSettings& frame) {
+    return frame.read.filter == ReadFilter::SummedArea;  // of channels that no kernel has blurred
+  };
   const bool newChannels = newMap || newTechnique || !(session.frame.kernel == old.kernel) ||
-                           session.frame.map.format != old.map.format;
+                           session.frame.map.format != old.map.format ||
+                           summed(session.frame) != summed(old);
   mapRevision_ += newMap;
+  firstMapRevision_ += newMap;
   channelsRevision_ += newChannels;
 
   if (isValid()) makeCurrent();
@@ -220,6 +225,7 @@ void SceneView::drawFrame() {
     framePeriod_ = double(timer.nsecsElapsed()) * 1e-6;
     drawn_ = true;
     drawnScene_ = shown_.content.scene.get();
+    noteMaps();
     const std::vector<double> splits = shadow_->adaptedSplits();
     channelsRevision_ += splits != splits_;
     splits_ = splits;
@@ -231,6 +237,20 @@ void SceneView::drawFrame() {
     QMetaObject::invokeMethod(
         this, [this, message] { emit failed(message); }, Qt::QueuedConnection);
   }
+}
+
+// Samples are what the driver gave, and cascades follow the camera: both are known once drawn.
+void SceneView::noteMaps() {
+  std::vector<double> maps{double(shadow_->samples())};
+  for (const Cascade& cascade : shadow_->cascades())
+    maps.insert(maps.end(), {cascade.left, cascade.top, cascade.side});
+  if (maps == maps_) return;
+  const bool newFirst =
+      maps_.size() < 4 || !std::equal(maps.begin(), maps.begin() + 4, maps_.begin());
+  ++mapRevision_;
+  ++channelsRevision_;
+  firstMapRevision_ += newFirst;
+  maps_ = std::move(maps);
 }
 
 void SceneView::finishFrame() {

@@ -54,6 +54,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   std::optional<Plane> surfacePlane(const Pixel& pixel, const SurfacePoint& centre);
   // Equal numbers mean equal depth maps, and equal channels.
   int mapRevision() const { return mapRevision_; }
+  // The same of the first cascade's map, which techniques adapt to.
+  int firstMapRevision() const { return firstMapRevision_; }
   int channelsRevision() const { return channelsRevision_; }
   // Whether the last frame shows all that was asked for, with splits at rest.
   bool upToDate() const { return drawn_ && !stale_ && !shadow_->splitsMoving(); }
@@ -76,6 +78,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
  private:
   void prepareInteraction();
   void drawFrame();
+  void noteMaps();
   void finishFrame();
   void refreshOverlay();
   bool mouseEvent(QMouseEvent* event);
@@ -90,7 +93,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   std::optional<QPointF> pressed_, lightGrip_;
   const Scene* drawnScene_ = nullptr;  // by the last frame; only to be compared
   bool stale_ = true, drawn_ = false, painting_ = false;
-  int mapRevision_ = 0, channelsRevision_ = 0;
+  int mapRevision_ = 0, firstMapRevision_ = 0, channelsRevision_ = 0;
+  std::vector<double> maps_;  // of the last frame: samples, then each cascade's window
   std::vector<double> splits_;  // of the last frame
   std::unique_ptr<Technique> technique_;
   double framePeriod_ = 0.0;

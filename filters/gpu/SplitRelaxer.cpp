@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "SplitCluster_comp_glsl.h"
 #include "SplitReduce_comp_glsl.h"
@@ -56,6 +57,7 @@ bool SplitRelaxer::advance(const gl::Texture& depth, int count, SplitPace pace) 
   if (fence_ && arrived()) receive();
   if (mapChanged_) {
     relaxation_->resume();
+    oldSums_ = bool(fence_);
     samples_ = gl::Texture();
     mapChanged_ = false;
   }
@@ -80,6 +82,7 @@ void SplitRelaxer::start(int count, SplitPace pace) {
   relaxation_.emplace(options);
   pace_ = pace;
   fence_.reset();  // what was asked for is of no use
+  oldSums_ = false;
 }
 
 void SplitRelaxer::takeSamples(const gl::Texture& depth) {
@@ -165,6 +168,8 @@ void SplitRelaxer::receive() {
     if (sums[i].weight > 0.0)
       clusters[i] = {sums[i].weight, sums[i].first, sums[i].second, sums[i].low, sums[i].high};
   relaxation_->take(clusters);
+  // What the last map ended with settles nothing for this one.
+  if (std::exchange(oldSums_, false)) relaxation_->resume();
 }
 
 void SplitRelaxer::freeMemory() {

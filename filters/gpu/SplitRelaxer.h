@@ -58,6 +58,7 @@ class SplitRelaxer {
   SplitPace pace_ = SplitPace::Converged;
   std::optional<Relaxation> relaxation_;
   bool mapChanged_ = true;
+  bool oldSums_ = false;  // those under way are of the map before
 
   gl::ProgramCache programs_;
   // There only while splits move: value and weight, and two buffers that take turns for sums.

@@ -102,7 +102,7 @@ std::string techniqueSource(const Technique& technique, const MapReads& reads) {
   return define("CHANNELS", technique.channels().size()) +
          define("PREFILTERED", technique.info().prefilterable) +
          define("FILTER", filterNumber(reads.filter)) + define("SAMPLES", reads.samples) +
-         define("CASCADES", reads.cascades) +
+         define("CASCADES", reads.cascades) + define("LARGEST_BOX", ReadSettings::largestSatWidth) +
          define("SAT_PRECISION", satPrecisionNumber(reads.satPrecision)) + ShadowMapRead_glsl +
          filterSource(reads.filter) + ReadPixel_glsl + "\n" + std::string(technique.glsl()) + "\n";
 }

@@ -158,6 +158,7 @@ void vtkUmbraFramePass::DrawFrame(const vtkRenderState* state) {
     this->NumberOfRenderedProps += this->Shading->GetNumberOfRenderedProps();
     const gl::PassTimer::Scope time(this->Timer, "view");
     this->Show(renderer);
+    this->DrawnReads = this->Reads();
     this->FrameDrawn = true;
   }
   vtkRenderState rest(renderer);
@@ -170,6 +171,8 @@ const std::vector<Cascade>& vtkUmbraFramePass::FitCascades(vtkRenderer* renderer
   if (!this->HasLightFrame) return this->Cascades;
   const MapSettings& map = this->Settings.map;
   const Camera camera = map.cascades.frozen.value_or(cameraOf(*renderer->GetActiveCamera()));
+  // A summed-area table's box may reach farther than the kernel: it repeats the window's edge
+  // there.
   this->Cascades = fitCascades(this->Frame, camera, renderer->GetTiledAspectRatio(), this->Bounds,
                                map, this->Settings.kernel.effectiveRadius());
   return this->Cascades;
@@ -370,7 +373,7 @@ MapReads vtkUmbraFramePass::Reads() const {
 
 std::vector<float> vtkUmbraFramePass::EvaluateSurfaces() {
   return this->Baker.evaluate(this->Shading->GetSurfaces(), &this->Shading->GetFootprints(),
-                              *this->Adapted, this->Reads());
+                              *this->Adapted, this->DrawnReads);
 }
 
 void vtkUmbraFramePass::ReleaseGraphicsResources(vtkWindow* window) {

@@ -110,6 +110,7 @@ class vtkUmbraFramePass : public vtkRenderPass {
   Stage Stale = Stage::Depth;
   std::vector<std::optional<DepthMap>> DepthValues;  // of each cascade, read back once per bake
   bool FrameDrawn = false;
+  MapReads DrawnReads;  // of that frame
   std::exception_ptr Error;
 };
 

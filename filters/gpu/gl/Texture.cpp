@@ -37,12 +37,7 @@ void Texture::require(GLenum internalFormat, int width, int height, int layers, 
 }
 
 std::vector<float> Texture::read(int components) const {
-  std::vector<float> values(std::size_t(width_) * height_ * std::max(layers_, 1) * components);
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glGetTextureImage(name(), 0, transferFormat(components), GL_FLOAT,
-                    GLsizei(values.size() * sizeof(float)), values.data());
-  glPixelStorei(GL_PACK_ALIGNMENT, 4);
-  return values;
+  return readLayers(components, 0, std::max(layers_, 1));
 }
 
 void Texture::upload(int components, const std::vector<float>& values) {
@@ -56,10 +51,14 @@ void Texture::upload(int components, const std::vector<float>& values) {
 
 std::vector<float> Texture::readLayers(int components, int first, int count, int level) const {
   const int width = std::max(width_ >> level, 1), height = std::max(height_ >> level, 1);
-  std::vector<float> values(std::size_t(width) * height * count * components);
+  const std::size_t layer = std::size_t(width) * height * components;
+  std::vector<float> values(layer * count);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glGetTextureSubImage(name(), level, 0, 0, first, width, height, count, transferFormat(components),
-                       GL_FLOAT, GLsizei(values.size() * sizeof(float)), values.data());
+  // One by one: OpenGL counts the bytes of a read in 31 bits.
+  for (int i = 0; i < count; ++i)
+    glGetTextureSubImage(name(), level, 0, 0, first + i, width, height, 1,
+                         transferFormat(components), GL_FLOAT, GLsizei(layer * sizeof(float)),
+                         values.data() + std::size_t(i) * layer);
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
   return values;
 }

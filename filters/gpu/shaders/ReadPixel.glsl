@@ -35,7 +35,8 @@ void umbraReadChannels(out float channels[UMBRA_CHANNELS]) {
 }
 
 // `uv` and `footprint` are of the pixel's own cascade, the read's may be another: texels of a
-// coarser map are fewer, but a box of a summed-area table is never narrower than the kernel.
+// coarser map are fewer, but a box of a summed-area table is never narrower than the kernel, nor
+// wider than what its integers can sum.
 void umbraSetRead(vec2 uv, vec4 footprint, int cascade) {
   umbraFootprint = footprint.xyz;
 #if UMBRA_CASCADES > 1
@@ -46,7 +47,8 @@ void umbraSetRead(vec2 uv, vec4 footprint, int cascade) {
     uv = (from.xy + from.z * uv - to.xy) / to.z;
     umbraFootprint.xy *= from.z / to.z;
 #if UMBRA_FILTER == 3
-    umbraFootprint.xy = max(umbraFootprint.xy, vec2(float(2 * umbraRadius + 1)));
+    umbraFootprint.xy = clamp(umbraFootprint.xy, vec2(float(2 * umbraRadius + 1)),
+                              vec2(float(UMBRA_LARGEST_BOX)));
 #endif
   }
 #endif

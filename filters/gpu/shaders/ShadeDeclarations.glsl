@@ -110,7 +110,7 @@ vec2 umbraReachOf(vec3 footprint) {
   vec2 probes = abs(footprint.xy) * (0.5 - 0.5 / footprint.z);
   return kernel + 1.5 * side - 0.5 + probes;
 #else
-  return 0.5 * footprint.xy + 0.5;
+  return 0.5 * max(footprint.xy, vec2(2.0 * kernel + 1.0)) + 0.5;
 #endif
 }
 
