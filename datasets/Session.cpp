@@ -1,5 +1,6 @@
 #include "datasets/Session.h"
 
+#include "filters/core/Composition.h"
 #include "filters/core/Error.h"
 
 namespace umbra {
@@ -28,7 +29,11 @@ std::unique_ptr<Technique> techniqueOf(const Session& session, const TechniqueCa
                                        const std::string& id, std::vector<std::string>* notices) {
   std::unique_ptr<Technique> technique = unlimited(session, catalogue, id);
   const std::vector<std::string> limited = technique->limitTo(session.frame.map.format);
-  if (notices) notices->insert(notices->end(), limited.begin(), limited.end());
+  if (!notices) return technique;
+  notices->insert(notices->end(), limited.begin(), limited.end());
+  const std::string inexact = whyInexact(session.frame, *technique);
+  // Nothing but a scene's frame is read that way.
+  if (!inexact.empty() && session.source.kind != SourceKind::DepthFile) notices->push_back(inexact);
   return technique;
 }
 

@@ -71,5 +71,23 @@ TEST_F(SessionTest, ALimitOfTheFormatIsNotStored) {
   EXPECT_EQ(session.parameters.at("esm").at("exponent"), ParameterValue(100.0));
 }
 
+TEST(Session, TellsWhatATableOfSumsLoses) {
+  const TechniqueCatalogue catalogue = allTechniques();
+  const auto noticesOf = [&](const Session& session, const std::string& id) {
+    std::vector<std::string> notices;
+    techniqueOf(session, catalogue, id, &notices);
+    return notices;
+  };
+  Session session;
+  session.frame.read.filter = ReadFilter::SummedArea;
+  ASSERT_EQ(noticesOf(session, "esm").size(), 1u);
+  EXPECT_NE(noticesOf(session, "esm").front().find("filter sat"), std::string::npos);
+  EXPECT_EQ(noticesOf(session, "evsm4").size(), 1u);
+  EXPECT_TRUE(noticesOf(session, "vsm").empty());
+  EXPECT_TRUE(noticesOf(session, "pcf").empty());
+  session.source.kind = SourceKind::DepthFile;  // read at its texels
+  EXPECT_TRUE(noticesOf(session, "esm").empty());
+}
+
 }  // namespace
 }  // namespace umbra

@@ -8,6 +8,7 @@
 #include "app/Table.h"
 #include "app/commands/Commands.h"
 #include "app/display/DisplayLibrary.h"
+#include "app/options/OptionValues.h"
 #include "datasets/LessonCatalogue.h"
 #include "filters/core/AtomicFile.h"
 #include "filters/core/Error.h"
@@ -72,6 +73,7 @@ void checkLesson(const LessonCommand& command) {
 }
 
 void exportLesson(const LessonCommand& command) {
+  refuseEmpty(command.folder, "-o", "DIR");
   const Lesson lesson = lessonNamed(command.name);
   const std::filesystem::path file =
       std::filesystem::path(command.folder) / (lesson.name + ".html");

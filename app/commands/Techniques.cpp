@@ -46,10 +46,12 @@ Command addTechniques(CLI::App& program) {
   const auto json = std::make_shared<bool>(false);
   command->add_flag("--json", *json, "Print one JSON object");
   const auto name = std::make_shared<std::string>();
-  command->add_option("name", *name, "Print this technique's page, Markdown")
-      ->type_name("NAME")
-      ->excludes("--json");
-  return {command, [json, name] { name->empty() ? listTechniques(*json) : printPage(*name); }};
+  const CLI::Option* page =
+      command->add_option("name", *name, "Print this technique's page, Markdown")
+          ->type_name("NAME")
+          ->excludes("--json");
+  return {command,
+          [json, name, page] { page->count() ? printPage(*name) : listTechniques(*json); }};
 }
 
 }  // namespace umbra

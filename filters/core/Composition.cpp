@@ -33,4 +33,13 @@ std::string whyImpossible(const FrameSettings& frame, const Technique& technique
                                                      : std::string();
 }
 
+std::string whyInexact(const FrameSettings& frame, const Technique& technique) {
+  // Channels without a fixed range span many powers of e; MSM's and VSM's are within [0,1].
+  if (frame.read.filter != ReadFilter::SummedArea || !technique.info().prefilterable ||
+      technique.refusal(StorageFormat::Unorm16).empty())
+    return {};
+  return "filter sat: 32-bit sums over the whole map lose the small ones of its exponentials, so "
+         "the picture may be lit where no region is; take bilinear, trilinear or anisotropic";
+}
+
 }  // namespace umbra

@@ -12,4 +12,8 @@ namespace umbra {
 // One sentence that names the setting and says what would go.
 std::string whyImpossible(const FrameSettings& frame, const Technique& technique);
 
+// Why the picture of a technique that can be drawn is not what its regions would give, whatever
+// their errors; empty where it is. One sentence, for a notice.
+std::string whyInexact(const FrameSettings& frame, const Technique& technique);
+
 }  // namespace umbra

@@ -74,6 +74,7 @@ TEST(TechniquesCommand, PrintsAPageWithItsParameters) {
 }
 
 TEST(TechniquesCommand, RefusesAnUnknownPage) {
+  EXPECT_EQ(run({"techniques", ""}).status, 2);
   const Outcome outcome = run({"techniques", "vsn"});
   EXPECT_EQ(outcome.status, 2);
   EXPECT_NE(outcome.err.find("vsn"), std::string::npos) << outcome.err;
