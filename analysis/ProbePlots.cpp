@@ -2,94 +2,32 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <functional>
 
+#include "analysis/PlotParts.h"
+#include "analysis/PowerPlots.h"
 #include "filters/core/Text.h"
 
 namespace umbra {
+
+using namespace plot;
+
 namespace {
 
 constexpr std::string_view meanColour = "#52606d";
 constexpr std::string_view extremeColour = "#9aa5b1";
 constexpr std::string_view powerColour = "#7b4fa3";      // Gumbau's fit
 constexpr std::string_view chebyshevColour = "#2563c9";  // Lauritzen's bound
-constexpr double thin = 1.2, normal = 2.0, thick = 2.8;  // points
-
-// Three decimals are a plot's resolution; a fixed number of them keeps labels from jumping.
-std::string fixed3(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.3f", value);
-  return buffer;
-}
-
-std::string signed3(double value) {
-  char buffer[40];
-  std::snprintf(buffer, sizeof buffer, "%s%.3f", value < 0.0 ? "−" : "+", std::abs(value));
-  return buffer;
-}
 
 std::string counted(std::size_t count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
-std::string depthLabel() {
-  return "light-space depth z (normalised)";
-}
-
-PlotMarker receiverMarker(const Probe& probe) {
-  return {MarkerAxis::Vertical, probe.receiver, "receiver z = " + fixed3(probe.receiver),
-          std::string(probeColour), true};
-}
-
-// Nothing is drawn for an error that the plot could not show.
-void addError(Plot& plot, double x, double from, double to, const std::string& label) {
-  if (std::abs(to - from) < 5e-4) return;
-  plot.errors.push_back({x, from, to, label, std::string(errorColour)});
 }
 
 std::string errorLabel(double error) {
   return (error > 0.0 ? "bleeding " : "over-darkening ") + signed3(error);
 }
 
-// "Variance (VSM)" is "VSM" in a legend, where room is scarce.
-std::string legendName(const TechniqueInfo& info) {
-  const std::string_view title = info.title;
-  const std::size_t open = title.rfind('(');
-  if (open == std::string_view::npos || title.back() != ')') return std::string(title);
-  return std::string(title.substr(open + 1, title.size() - open - 2));
-}
-
 PlotRange unitRange() {
   return {0.0, 1.0};
-}
-
-// z_r and the region's depths with air on both sides, within [0,1]: for plots of F(z), whose
-// curves are flat outside.
-PlotRange rangeAround(const Probe& probe) {
-  const double low = std::min(probe.statistics.min, probe.receiver);
-  const double high = std::max(probe.statistics.max, probe.receiver);
-  const double air = std::max(0.08 * (high - low), 0.01);
-  return {std::max(0.0, low - air), std::min(1.0, high + air)};
-}
-
-PlotSeries sampled(std::string name, std::string_view colour, PlotRange range,
-                   const std::function<double(double)>& function) {
-  PlotSeries series{std::move(name), std::string(colour)};
-  constexpr int samples = 401;
-  for (int i = 0; i < samples; ++i) {
-    series.x.push_back(std::lerp(range.low, range.high, double(i) / (samples - 1)));
-    series.y.push_back(function(series.x.back()));
-  }
-  return series;
-}
-
-// Gumbau 2011, eq. 2: t^β with t = (z − min) / (max − min). In the limits of β, and where the
-// region has one depth, it is a step.
-double powerCdf(const RegionStatistics& s, double z) {
-  if (z >= s.max) return 1.0;
-  if (z <= s.min || std::isinf(s.beta)) return 0.0;
-  return std::pow((z - s.min) / (s.max - s.min), s.beta);
 }
 
 // Lauritzen 2008, eq. 3.3: at least 1 − p_max of the region lies in front of z.
@@ -161,7 +99,7 @@ Plot curvesPlot(const Probe& probe, std::string_view selected, int samples) {
   }
   // Last, so that it lies on top of the others.
   if (emphasised) plot.series.push_back(std::move(*emphasised));
-  plot.markers.push_back(receiverMarker(probe));
+  plot.markers.push_back(receiverMarker(probe.receiver));
   return plot;
 }
 
@@ -197,7 +135,7 @@ Plot cdfPlot(const Probe& probe) {
   const double blocked = 1.0 - probe.reference;
   const double bound = chebyshevCdf(s, probe.receiver);
   addError(plot, probe.receiver, blocked, bound, "error " + signed3(blocked - bound));
-  plot.markers.push_back(receiverMarker(probe));
+  plot.markers.push_back(receiverMarker(probe.receiver));
   return plot;
 }
 

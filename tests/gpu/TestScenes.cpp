@@ -104,13 +104,7 @@ std::shared_ptr<Scene> avenue() {
   for (int row = 0; row < 14; ++row) {
     for (float x : {-3.0f, 0.9f, 3.3f}) {
       const float z = 13.0f - 4.6f * float(row) + 0.37f * x;
-      const Mesh post = box({x, 0, z}, {x + 0.3f, 2.1f, z + 0.3f});
-      const auto offset = std::uint32_t(posts.mesh.positions.size());
-      Mesh& all = posts.mesh;
-      all.positions.insert(all.positions.end(), post.positions.begin(), post.positions.end());
-      all.normals.insert(all.normals.end(), post.normals.begin(), post.normals.end());
-      for (const auto& [a, b, c] : post.triangles)
-        all.triangles.push_back({a + offset, b + offset, c + offset});
+      append(posts.mesh, box({x, 0, z}, {x + 0.3f, 2.1f, z + 0.3f}));
     }
   }
   scene->objects = {ground, posts};

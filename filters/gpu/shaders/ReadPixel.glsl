@@ -55,42 +55,38 @@ void umbraSetRead(vec2 uv, vec4 footprint, int cascade) {
   umbraPosition = uv * vec2(umbraMapSize());
 }
 
-float umbraVisibilityOfRead(float receiver) {
+// Of the read that was set last: exact percentage-closer filtering, or the technique's visibility.
+// `exact` is a constant wherever it is called, so that compilers leave the other out.
+float umbraOfRead(const bool exact, float receiver) {
+  if (exact) return umbraPercentageCloser(receiver);
   float channels[UMBRA_CHANNELS];
   umbraReadChannels(channels);
   return umbraVisibility(channels, receiver);
 }
 
-// The technique's visibility of one pixel: (u, v, z_r, ·), (u, v) in [0,1] of its cascade's map, and
-// (x, y, probes, cascade + weight of the next cascade). Two cascades' visibilities are mixed, not
-// their channels.
-float umbraVisibilityAt(vec4 surface, vec4 footprint) {
+// Of one pixel: (u, v, z_r, ·), (u, v) in [0,1] of its cascade's map, and (x, y, probes, cascade +
+// weight of the next cascade). Two cascades' visibilities are mixed, not their channels.
+float umbraOfPixel(const bool exact, vec4 surface, vec4 footprint) {
+  float receiver = abs(surface.z);
 #if UMBRA_CASCADES > 1
-  float visibility = 0.0, next = fract(footprint.w);
+  float mixed = 0.0, next = fract(footprint.w);
   // A loop, because a software renderer runs both sides of a branch for every pixel but ends a loop
   // with the last that goes on.
   for (int part = 0; part < (next > 0.0 ? 2 : 1); ++part) {
     umbraSetRead(surface.xy, footprint, int(footprint.w) + part);
-    visibility += umbraVisibilityOfRead(abs(surface.z)) * (part == 0 ? 1.0 - next : next);
+    mixed += umbraOfRead(exact, receiver) * (part == 0 ? 1.0 - next : next);
   }
+  return mixed;
 #else
   umbraSetRead(surface.xy, footprint, 0);
-  float visibility = umbraVisibilityOfRead(abs(surface.z));
+  return umbraOfRead(exact, receiver);
 #endif
-  return visibility;
 }
 
-// The same of exact percentage-closer filtering.
+float umbraVisibilityAt(vec4 surface, vec4 footprint) {
+  return umbraOfPixel(false, surface, footprint);
+}
+
 float umbraReferenceAt(vec4 surface, vec4 footprint) {
-#if UMBRA_CASCADES > 1
-  float reference = 0.0, next = fract(footprint.w);
-  for (int part = 0; part < (next > 0.0 ? 2 : 1); ++part) {
-    umbraSetRead(surface.xy, footprint, int(footprint.w) + part);
-    reference += umbraPercentageCloser(abs(surface.z)) * (part == 0 ? 1.0 - next : next);
-  }
-#else
-  umbraSetRead(surface.xy, footprint, 0);
-  float reference = umbraPercentageCloser(abs(surface.z));
-#endif
-  return reference;
+  return umbraOfPixel(true, surface, footprint);
 }
