@@ -13,7 +13,8 @@
 namespace umbra {
 
 // Techniques that can cut the tail of their bound off have a parameter of this name, a: visibility
-// p becomes (p − a)/(1 − a), at least 0 (Lauritzen 2008, §3.4).
+// p becomes (p − a)/(1 − a), at least 0 (Lauritzen 2007, Summed-Area Variance Shadow Maps,
+// GPU Gems 3, ch. 8; the idea in Lauritzen 2008, §3.4).
 inline constexpr std::string_view bleedReductionName = "bleed-reduction";
 
 struct BleedReduction {

@@ -84,7 +84,7 @@ class RegionReader {
   void gather() {
     const DepthMap& map = on_.map;
     const int x = nearest_.x, y = nearest_.y, first = -on_.kernel.effectiveRadius();
-    taps_ = {x, y, on_.kernel, std::move(taps_.texels), map(x, y)};
+    taps_ = {x, y, on_.kernel, std::move(taps_.texels), map(x, y), 1, -first, -first};
     taps_.texels.clear();
     for (std::size_t j = 0; j < weights_.size(); ++j) {
       const int row = std::clamp(y + first + int(j), 0, map.height() - 1);

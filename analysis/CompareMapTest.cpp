@@ -74,6 +74,19 @@ TEST_P(CompareMap, ReferenceIsThatOfEveryRegion) {
   }
 }
 
+// A disc of taps lies about a texel as far as the region reaches.
+TEST_P(CompareMap, AgreesWithAProbeWhereTapsAreSampled) {
+  const DepthMap map = randomMap(23, 17, 21);
+  const std::shared_ptr<Technique> sampled = allTechniques().make("pcf");
+  parameterNamed(sampled->parameters(), "taps", "pcf").set(std::string("poisson"), "pcf.taps");
+  const auto found = compareOnMap(map, std::vector<std::shared_ptr<const Technique>>{sampled},
+                                  GetParam(), StorageFormat::Double, 0.5);
+  const auto expected = byBruteForce(map, {sampled}, GetParam(), StorageFormat::Double, 0.5);
+  EXPECT_NEAR(found[0].rmse, expected[0].rmse, 1e-12);
+  EXPECT_NEAR(found[0].max, expected[0].max, 1e-12);
+  EXPECT_NEAR(found[0].min, expected[0].min, 1e-12);
+}
+
 INSTANTIATE_TEST_SUITE_P(Kernels, CompareMap,
                          testing::Values(Kernel{KernelShape::None, 3}, Kernel{KernelShape::Box, 1},
                                          Kernel{KernelShape::Box, 5},

@@ -59,7 +59,7 @@ constexpr Entry entries[] = {
     {{"coverage", "Closed form over coverage"}, coverage},
     {{"radius", "Error over filter radius", true}, radius},
     {{"precision", "Stored against double", true}, precision},
-    {{"map-histogram", "Depths of the whole map"},
+    {{"map-histogram", "Depths of the whole map", true},
      [](const ExplainingInput& input, const std::function<void()>&) -> std::optional<Plot> {
        return mapHistogramPlot(input.request.map, input.probe);
      }},

@@ -9,7 +9,8 @@
 namespace umbra {
 
 // f(t) = ½ + 2 Σ (a_k/c_k) sin(c_k t) over t = z − d, occluder's less receiver's depth, with
-// c_k = π(2k − 1) and a_k = e^{−α(k/M)²} for k = 1 … M (Annen 2007, eq. 8 and §3.2.1). The step
+// c_k = π(2k − 1) and a_k = e^{−α(k/M)²} for k = 1 … M (Annen 2007, eq. 11 with the
+// sign of eq. 13, and §3.2.1). The step
 // that it stands for is 1 for t ≥ 0.
 class FourierStep {
  public:

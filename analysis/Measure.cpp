@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "analysis/Explain.h"
+
 namespace umbra {
 
 const TechniqueResult* techniqueResult(const Probe& probe, std::string_view technique) {
@@ -57,7 +59,7 @@ double measured(const Metrics& metrics, Quantity quantity) {
 std::string causeOf(const Probe& probe, std::string_view technique) {
   const TechniqueResult* result = techniqueResult(probe, technique);
   if (!result) return {};
-  return result->technique->explain({result->channels, probe.region}, probe.receiver).sentence;
+  return explain(probe, *result).sentence;
 }
 
 }  // namespace umbra

@@ -93,8 +93,9 @@ Plot planesPlot(const Probe& probe, const PlanesPrediction& prediction) {
     return visibilityOf(*technique, probe, vsm, z);
   }));
   plot.series.back().lineWidth = plot::thick;
+  const double least = minVarianceOf(*technique);
   plot.series.push_back(plot::sampled("closed form", predictedColour, range, [&](double z) {
-    return predictedVisibility(prediction.planes, z, minVarianceOf(*technique));
+    return predictedVisibility(prediction.planes, z, least);
   }));
   plot.series.back().dashed = true;
   constexpr std::string_view names = "ABC";

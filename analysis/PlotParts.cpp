@@ -31,8 +31,8 @@ std::string legendName(const TechniqueInfo& info) {
 }
 
 PlotMarker receiverMarker(double receiver) {
-  return {MarkerAxis::Vertical, receiver, "receiver z = " + fixed3(receiver),
-          std::string(probeColour), true};
+  return {MarkerAxis::Vertical,     receiver, "receiver z = " + fixed3(receiver),
+          std::string(probeColour), true,     true};
 }
 
 void addError(Plot& plot, double x, double from, double to, std::string label) {

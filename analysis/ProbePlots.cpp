@@ -70,6 +70,7 @@ Plot histogramPlot(const Probe& probe, int bins) {
     mark(s.max, "max", extremeColour);
   }
   mark(probe.receiver, "receiver", probeColour);
+  plot.markers.back().draggable = true;
   return plot;
 }
 

@@ -9,7 +9,8 @@
 
 namespace umbra {
 
-// compare.json and compare.csv: one row per technique, the columns of the JSON.
+// compare.json and compare.csv: one row per technique, the numbers of the JSON; nested ones are
+// in the JSON alone.
 // `reference` as in compareToJson.
 void writeCompare(OutputFolder& folder, const std::vector<MetricsRow>& rows,
                   std::string_view reference = "pcf");

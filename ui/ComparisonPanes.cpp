@@ -153,6 +153,7 @@ void ComparisonPanes::showErrors() {
 }
 
 void ComparisonPanes::showPictures() {
+  if (mode() != arranged_) return;  // of another document, to which refresh() is about to come
   const auto pictureOf = [this](const std::string& id) {
     const auto found = drawn_.find(id);
     return found == drawn_.end() ? nullptr : &found->second;

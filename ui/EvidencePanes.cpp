@@ -6,6 +6,7 @@
 
 #include "analysis/Explain.h"
 #include "analysis/ProbePlots.h"
+#include "datasets/Comparison.h"
 #include "ui/Prober.h"
 #include "ui/SceneView.h"
 #include "ui/SessionController.h"
@@ -42,17 +43,19 @@ EvidencePanes::EvidencePanes(SessionController& controller, SceneView& view, Pro
   connect(map_, &ShadowMapView::channelChosen, this, &EvidencePanes::showChannel);
   connect(table_, &ProbeTable::techniqueChosen, this, [this](const QString& id) {
     controller_.edit(tr("Choose technique"),
-                     [&](Session& session) { session.technique = id.toStdString(); });
+                     [&](Session& session) { chooseTechnique(session, id.toStdString()); });
   });
-  for (PlotPane* plot : plots()) {
-    plot->installEventFilter(this);
-    plot->setMinimumSize(200, 150);
-    connect(plot, &PlotPane::message, this, &EvidencePanes::message);
-    connect(plot, &PlotPane::depthDragged, this, &EvidencePanes::dragReceiver);
-    connect(plot, &PlotPane::depthDragFinished, this, [this] { controller_.endMerge(); });
-  }
+  for (PlotPane* plot : plots()) follow(*plot);
   showHints();
   refreshMap();
+}
+
+void EvidencePanes::follow(PlotPane& plot) {
+  plot.installEventFilter(this);
+  plot.setMinimumSize(200, 150);
+  connect(&plot, &PlotPane::message, this, &EvidencePanes::message);
+  connect(&plot, &PlotPane::depthDragged, this, &EvidencePanes::dragReceiver);
+  connect(&plot, &PlotPane::depthDragFinished, this, [this] { controller_.endMerge(); });
 }
 
 PlotPane& EvidencePanes::currentPlot() {

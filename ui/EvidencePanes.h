@@ -37,6 +37,9 @@ class EvidencePanes : public QObject {
   // All plots; and the one under the pointer or last used, the curves before that.
   std::vector<PlotPane*> plots() { return {curves_, cdf_, histogram_}; }
   PlotPane& currentPlot();
+  // A plot of another pane, of this probe: its receiver is dragged, its messages are shown, and it
+  // may be the current one. It must live as long as the window.
+  void follow(PlotPane& plot);
 
   // After a frame or a new document: the map, where it changed.
   void refreshMap();

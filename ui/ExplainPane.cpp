@@ -55,7 +55,6 @@ ExplainPane::ExplainPane(SessionController& controller, Prober& prober, QWidget*
   layout->setSpacing(6);
   layout->addWidget(chooser_);
   layout->addWidget(plot_, 1);
-  plot_->setMinimumSize(200, 150);
   still_.setSingleShot(true);
   still_.setInterval(stillFor);
   connect(&prober_, &Prober::reported, this, &ExplainPane::refresh);

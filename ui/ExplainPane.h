@@ -28,7 +28,6 @@ class ExplainPane : public QWidget {
   ~ExplainPane() override;
 
   PlotPane& plot() { return *plot_; }
-  QComboBox& chooser() { return *chooser_; }
 
  protected:
   void showEvent(QShowEvent* event) override;

@@ -117,14 +117,7 @@ void LayersController::sessionChanged(const Document& before, const Document& af
 QString LayersController::mapKey() const {
   if (const DepthMap* depth = controller_.document().content.depth.get())
     return QString("file %1").arg(quintptr(depth));
-  const ShadowRenderer* frame = view_.lastFrame();
-  if (!frame) return {};
-  const Cascade& first = frame->cascades().front();
-  return QString("%1 %2 %3 %4")
-      .arg(view_.mapRevision())
-      .arg(first.left, 0, 'g', 17)
-      .arg(first.top, 0, 'g', 17)
-      .arg(first.side, 0, 'g', 17);
+  return view_.lastFrame() ? QString("map %1").arg(view_.firstMapRevision()) : QString();
 }
 
 void LayersController::refresh() {

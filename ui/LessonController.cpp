@@ -9,18 +9,28 @@ namespace umbra {
 LessonController::LessonController(SessionController& session, Prober& prober, QObject* parent)
     : QObject(parent), session_(session), prober_(prober) {
   connect(&prober_, &Prober::reported, this, &LessonController::measured);
+  connect(&session_, &SessionController::changed, this, &LessonController::refreshVeil);
+  connect(&session_, &SessionController::loadingChanged, this, &LessonController::refreshVeil);
+}
+
+// A step's source is read beside this thread, or could not be read. Its parameters may have been
+// adjusted since.
+bool LessonController::arrived() const {
+  if (!progress_ || session_.loading()) return false;
+  const SceneSource &open = session_.session().source, &asked = progress_->current().session.source;
+  return open.kind == asked.kind && open.name == asked.name;
 }
 
 std::optional<double> LessonController::measurement() const {
   const auto& report = prober_.behindVeil();
-  if (!progress_ || !progress_->current().question || !report) return std::nullopt;
+  if (!arrived() || !progress_->current().question || !report) return std::nullopt;
   const LessonQuantity& asked = progress_->current().question->asked;
   return umbra::measured(report->probe, asked.quantity, asked.technique);
 }
 
 QString LessonController::cause() const {
   const auto& report = prober_.behindVeil();
-  if (!progress_ || !progress_->current().question || !report) return {};
+  if (!arrived() || !progress_->current().question || !report) return {};
   const LessonQuantity& asked = progress_->current().question->asked;
   if (!infoOf(asked.quantity).ofTechnique) return {};
   return QString::fromStdString(causeOf(report->probe, asked.technique));
@@ -71,7 +81,7 @@ void LessonController::show() {
 }
 
 void LessonController::refreshVeil() {
-  const bool veiled = progress_ && progress_->veiled();
+  const bool veiled = progress_ && (progress_->veiled() || !arrived());
   prober_.setVeil(veiled ? tr("Predict first: the lesson asks what comes out here.") : QString());
 }
 

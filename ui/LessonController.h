@@ -41,6 +41,7 @@ class LessonController : public QObject {
   void goTo(std::size_t step);
   void show();
   void refreshVeil();
+  bool arrived() const;  // whether the step's own source is what is open
 
   SessionController& session_;
   Prober& prober_;

@@ -127,9 +127,10 @@ void MainWindow::refresh() {
     action->setChecked(action->data().toInt() == int(session.frame.view));
     action->setEnabled(onScene);
   }
+  const QMap<QString, QString> refusals = controller_.refusals();
   for (QAction* action : techniques_->actions()) {
     const bool current = action->data().toString() == style::text(session.technique);
-    const QString refusal = controller_.refusals().value(action->data().toString());
+    const QString refusal = refusals.value(action->data().toString());
     action->setChecked(current);
     action->setEnabled(current || refusal.isEmpty());
     action->setToolTip(refusal);
@@ -184,7 +185,7 @@ Session MainWindow::sessionToRemember() const {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  lessonDock_->hide();  // the next window begins without a lesson
+  if (lessons_->progress()) restoreOwnLayout();  // the next window begins without a lesson
   emit closing();
   QMainWindow::closeEvent(event);
 }

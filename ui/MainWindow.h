@@ -77,6 +77,7 @@ class MainWindow : public QMainWindow {
   void refresh();
   void showFrameFigures();
   void afterFrame();
+  void restoreOwnLayout();  // as it was before the lesson
   // MainWindowDocks.cpp
   void makeDocks();
   QDockWidget* addDock(const QString& title, const QString& name, QWidget* content,

@@ -67,8 +67,9 @@ void MainWindow::makeDocks() {
   tabifyDockWidget(docks_[1], docks_.back());
   addDock(tr("Layers"), "layersDock", makeLayersPane(*this), Qt::RightDockWidgetArea);
   tabifyDockWidget(docks_[3], docks_.back());
-  addDock(tr("More plots"), "explainDock", new ExplainPane(controller_, *prober_),
-          Qt::RightDockWidgetArea);
+  auto* explain = new ExplainPane(controller_, *prober_);
+  evidence_->follow(explain->plot());
+  addDock(tr("More plots"), "explainDock", explain, Qt::RightDockWidgetArea);
   tabifyDockWidget(docks_[3], docks_.back());
 }
 

@@ -70,6 +70,10 @@ void MainWindow::leaveLesson() {
   lessons_->leave();
   prober_->holdPoint(pointBefore_);
   probeNextFrame_ = false;  // one's own session comes back as it was, with or without a probe
+  restoreOwnLayout();
+}
+
+void MainWindow::restoreOwnLayout() {
   restoreState(layoutBefore_);
   lessonDock_->hide();
   resizeDocks({docks_.front()}, {controlsWidth_}, Qt::Horizontal);

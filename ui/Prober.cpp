@@ -32,7 +32,10 @@ Prober::Prober(SessionController& controller, SceneView& view, QObject* parent)
 }
 
 void Prober::sessionChanged(const Document& before, const Document& after) {
-  adaptedTo_ = -1;
+  const Session &old = before.session, &now = after.session;
+  if (!(before.content == after.content) || old.technique != now.technique ||
+      !(old.parameters == now.parameters) || old.frame.map.format != now.frame.map.format)
+    adaptedTo_ = -1;
   if (!(before.session.probe == after.session.probe)) {
     pinnedPoint_.reset();
     if (after.session.probe) lastSeen_.reset();
@@ -50,7 +53,12 @@ void Prober::sessionChanged(const Document& before, const Document& after) {
 void Prober::setVeil(const QString& reason) {
   if (reason == veil_) return;
   veil_ = reason;
-  emit reported();
+  // A report refers to maps that are there only while it is announced: what is seen again is taken
+  // again.
+  if (reason.isEmpty())
+    refresh();
+  else
+    emit reported();
 }
 
 void Prober::hover(const Pixel& pixel) {
@@ -105,6 +113,8 @@ void Prober::refresh() {
     report_ = take();
     emit reported();
   } catch (const std::exception& problem) {
+    report_.reset();  // of settings that are gone
+    emit reported();
     emit failed(QString::fromUtf8(problem.what()));
   }
 }
@@ -170,13 +180,16 @@ std::optional<Prober::Place> Prober::hiddenPlace() {
   if (!point.inside) return std::nullopt;
   const std::vector<Cascade>& cascades = view_.lastFrame()->cascades();
   SurfacePoint& surface = place.surface;
-  surface.cascade = std::min(surface.cascade, int(cascades.size()) - 1);
   surface.nextCascade = 0.0;
-  surface.u = cascades[surface.cascade].u(point.u);
-  surface.v = cascades[surface.cascade].v(point.v);
-  if (surface.u < 0.0 || surface.u > 1.0 || surface.v < 0.0 || surface.v > 1.0) return std::nullopt;
-  place.surface.receiver = std::clamp(point.z + place.surface.receiver - place.depth, 0.0, 1.0);
-  return place;
+  surface.receiver = std::clamp(point.z + surface.receiver - place.depth, 0.0, 1.0);
+  // Windows move with the camera: a coarser one may hold it now.
+  surface.cascade = std::min(surface.cascade, int(cascades.size()) - 1);
+  for (; surface.cascade < int(cascades.size()); ++surface.cascade) {
+    surface.u = cascades[surface.cascade].u(point.u);
+    surface.v = cascades[surface.cascade].v(point.v);
+    if (surface.u >= 0.0 && surface.u <= 1.0 && surface.v >= 0.0 && surface.v <= 1.0) return place;
+  }
+  return std::nullopt;
 }
 
 ProbeReport Prober::probeAt(const Place& place) {

@@ -1,6 +1,5 @@
 #include "ui/SceneView.h"
 
-#include <QElapsedTimer>
 #include <QMouseEvent>
 #include <cmath>
 #include <exception>
@@ -219,10 +218,7 @@ void SceneView::paintGL() {
 void SceneView::drawFrame() {
   if (!shown_.content.scene) return;
   try {
-    QElapsedTimer timer;
-    timer.start();
     shadow_->render();
-    framePeriod_ = double(timer.nsecsElapsed()) * 1e-6;
     drawn_ = true;
     drawnScene_ = shown_.content.scene.get();
     noteMaps();

@@ -59,7 +59,6 @@ class SceneView : public QVTKOpenGLNativeWidget {
   int channelsRevision() const { return channelsRevision_; }
   // Whether the last frame shows all that was asked for, with splits at rest.
   bool upToDate() const { return drawn_ && !stale_ && !shadow_->splitsMoving(); }
-  double framePeriod() const { return framePeriod_; }  // milliseconds, of the last frame
 
  signals:
   void frameDrawn();
@@ -94,10 +93,9 @@ class SceneView : public QVTKOpenGLNativeWidget {
   const Scene* drawnScene_ = nullptr;  // by the last frame; only to be compared
   bool stale_ = true, drawn_ = false, painting_ = false;
   int mapRevision_ = 0, firstMapRevision_ = 0, channelsRevision_ = 0;
-  std::vector<double> maps_;  // of the last frame: samples, then each cascade's window
+  std::vector<double> maps_;    // of the last frame: samples, then each cascade's window
   std::vector<double> splits_;  // of the last frame
   std::unique_ptr<Technique> technique_;
-  double framePeriod_ = 0.0;
 };
 
 }  // namespace umbra

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // Raised when docks are added or renamed: an older arrangement is then not put back.
-constexpr int arrangement = 1;
+constexpr int arrangement = 2;
 
 // Beside the settings: a session file like any other.
 fs::path sessionFile() {

@@ -151,12 +151,15 @@ void ProbeCommand::probePixel(const Session& session) const {
   const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
   if (!place) place = worstBleeding(*frame, *suspectOf(chosen));
   SceneProbe probe = probeScene(*frame, session, chosen, *place);
-  const double rays = rayTracedVisibility(*frame, *scene, session.frame, probe.probe);
+  // A report for people says it only where it was asked for.
+  std::optional<double> rays;
+  if (rayTraced() || json || folder)
+    rays = rayTracedVisibility(*frame, *scene, session.frame, probe.probe);
   Json object = sceneProbeToJson(probe, frame->depthMap(), name, session.frame.read.filter,
                                  binsOf(bins), samplesOf(samples));
-  addRayTraced(object, rays, rayTraced());
+  if (rays) addRayTraced(object, *rays, rayTraced());
   if (rayTraced())
-    for (TechniqueResult& result : probe.probe.techniques) result.error = result.visibility - rays;
+    for (TechniqueResult& result : probe.probe.techniques) result.error = result.visibility - *rays;
   if (trace) addTraces(object, probe.probe);
   ProbeRequest request = requestAt(*frame, session.frame, probe.surface);
   request.receiver = probe.probe.receiver;

@@ -34,7 +34,9 @@ class SplitRelaxer {
 
   // Whether a later frame will move splits, as far as is known.
   bool moving() const { return relaxation_ && !relaxation_->settled(); }
-  std::vector<double> splits() const { return result().splits; }  // ascending
+  std::vector<double> splits() const {  // ascending
+    return relaxation_ ? relaxation_->result().splits : std::vector<double>();
+  }
   // Of the present map: what it took, and the cost before each iteration.
   LloydResult result() const { return relaxation_ ? relaxation_->result() : LloydResult{}; }
 

@@ -156,7 +156,7 @@ TEST_F(Msaa, AnEdgeCoversTheSamplesInsideIt) {
   const double tolerance = 16 * test::eps * 12.0 / (frame.farDistance - frame.nearDistance);
   Eigen::Matrix2d edges;
   edges << edgeA.x(), edgeB.x(), edgeA.z(), edgeB.z();
-  int partly = 0;
+  int partly = 0, grounded = 0;
   for (int y = 0; y < mapSize; ++y) {
     for (int x = 0; x < mapSize; ++x) {
       int covered = 0;
@@ -171,6 +171,7 @@ TEST_F(Msaa, AnEdgeCoversTheSamplesInsideIt) {
         covered += inside > 0.0;
         const double z = depth(x, y, 1 + sample);
         if (z == 1.0 && inside < 0.0) continue;  // beside the ground
+        grounded += inside < 0.0;
         ASSERT_NEAR(z, inside > 0.0 ? high : ground, tolerance)
             << "sample " << sample << " of texel " << x << "," << y;
       }
@@ -178,6 +179,7 @@ TEST_F(Msaa, AnEdgeCoversTheSamplesInsideIt) {
     }
   }
   EXPECT_GT(partly, 20);
+  EXPECT_GT(grounded, mapSize * mapSize);  // of `given` samples a texel
 }
 
 TEST_F(Msaa, OnlyItsOwnLayersAreWritten) {

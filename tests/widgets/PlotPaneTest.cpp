@@ -28,7 +28,7 @@ Plot examplePlot() {
   plot.xRange = plot.yRange = PlotRange{0.0, 1.0};
   plot.series = {{"VSM", "#2563c9", SeriesStyle::Line, {0.0, 0.5, 1.0}, {1.0, 1.0, 0.0}}};
   plot.markers = {{MarkerAxis::Vertical, 0.25, "mean", "#6b7785"},
-                  {MarkerAxis::Vertical, 0.75, "receiver", std::string(probeColour)}};
+                  {MarkerAxis::Vertical, 0.75, "receiver", std::string(probeColour), true, true}};
   return plot;
 }
 

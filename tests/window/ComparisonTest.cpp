@@ -3,6 +3,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "datasets/DepthFile.h"
 #include "tests/window/WindowTest.h"
 #include "ui/CentrePane.h"
 #include "ui/ComparisonPanes.h"
@@ -11,6 +12,7 @@
 #include "ui/SceneView.h"
 #include "ui/TechniquePicture.h"
 #include "ui/WipeHandle.h"
+#include "ui/widgets/ShadowMapView.h"
 #include "ui/widgets/Style.h"
 
 namespace umbra {
@@ -162,6 +164,20 @@ void WindowTest::whatAPaneCannotShowIsSaidThere() {
   settlePanes();
   QVERIFY(!panes.picture(1).picture().isNull());
   QVERIFY(panes.picture(1).message().isEmpty());
+}
+
+void WindowTest::aDepthFileTakesThePlaceOfPanes() {
+  MainWindow& window = open(comparing(ComparisonMode::Grid, {"vsm", "pcf"}));
+  settlePanes();
+  const QString file = folder_.filePath("beside-panes.exr");
+  writeExr(file.toStdString(), {{"Z", Image<float>(24, 16, 1, 0.5F)}}, {});
+  window.openFile(file.toStdString());
+  QTRY_VERIFY(window.controller().document().content.depth != nullptr);
+  QVERIFY(window.centre().depthView().isVisible());
+  key(Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(window.controller().document().content.scene != nullptr);
+  settlePanes();
+  QVERIFY(window.centre().comparison().picture(1).isVisible());
 }
 
 }  // namespace umbra

@@ -41,6 +41,7 @@ class WindowTest : public QObject {
   void panesAreLabelledWithTheirErrorAtTheProbe();
   void aClickedPaneIsTheSessions();
   void whatAPaneCannotShowIsSaidThere();
+  void aDepthFileTakesThePlaceOfPanes();
   void digitsSwitchTechniques();
   void keysSwitchTheView();
   void draggingTheSunMovesTheLight();

@@ -22,7 +22,6 @@ struct FrameSettingsForm::Controls {
   QWidget *lambdaRow, *seamRow;
   QLabel* samplesNotice;
   QCheckBox *receiverPlane, *cullFront, *frozen;
-  QLabel* gpu;
 };
 
 namespace {
@@ -64,13 +63,6 @@ FrameSettingsForm::FrameSettingsForm(QWidget* parent)
   c.cullFront->setToolTip(tr("Casters' faces towards the light leave no depth"));
   body()->addWidget(c.receiverPlane);
   body()->addWidget(c.cullFront);
-  c.gpu = new QLabel;
-  c.gpu->setWordWrap(true);
-  c.gpu->setMinimumWidth(0);
-  c.gpu->setFont(style::figures(font()));
-  c.gpu->setToolTip(tr("GPU time of the last frame's passes, in milliseconds"));
-  c.gpu->hide();
-  body()->addWidget(c.gpu);
   body()->addStretch();
 
   connectControls();
@@ -314,13 +306,9 @@ void FrameSettingsForm::setCamera(const Camera& camera) {
 }
 
 void FrameSettingsForm::setGivenSamples(int samples) {
+  if (samples == givenSamples_) return;
   givenSamples_ = samples;
   showMap();
-}
-
-void FrameSettingsForm::setGpuText(const QString& text) {
-  controls_->gpu->setText(text);
-  controls_->gpu->setVisible(!text.isEmpty());
 }
 
 }  // namespace umbra

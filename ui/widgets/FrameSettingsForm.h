@@ -27,8 +27,6 @@ class FrameSettingsForm : public Card {
   void setCamera(const Camera& camera);  // where cascades are frozen
   // Samples a texel that the last frame had; a notice where it is fewer than are set. 0: unknown.
   void setGivenSamples(int samples);
-  // A line at the end, such as "bake 3.1 · blur 1.4 · shade 6.0 ms"; empty hides it.
-  void setGpuText(const QString& text);
 
  signals:
   // All settings, one of which changed; `whatChanged` names it for undo: "kernel", "radius",

@@ -119,6 +119,7 @@ void PlotPane::saveAs() {
   }
 }
 
+// Of the draggable markers: the receiver is in the probe's colour wherever it is shown.
 bool PlotPane::isReceiver(int marker) const {
   return plot_->markers[std::size_t(marker)].colour == probeColour;
 }
@@ -128,7 +129,7 @@ std::optional<int> PlotPane::markerAt(int pixel) const {
   double nearest = grabDistance;
   for (int i = 0; i < int(plot_->markers.size()); ++i) {
     const PlotMarker& marker = plot_->markers[std::size_t(i)];
-    if (marker.axis != MarkerAxis::Vertical || !(marker.draggable || isReceiver(i))) continue;
+    if (marker.axis != MarkerAxis::Vertical || !marker.draggable) continue;
     const double distance =
         std::abs(widget_->canvasMap(QwtPlot::xBottom).transform(marker.position) - pixel);
     if (distance > nearest) continue;

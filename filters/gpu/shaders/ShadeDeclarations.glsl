@@ -80,7 +80,6 @@ vec3 umbraFootprintOf(vec2 dx, vec2 dy) {
 #if UMBRA_FILTER == 3
 uniform int umbraSatSize;  // of the box: 0 footprint, 1 distance, 2 fixed
 uniform float umbraSatDistance;  // within which it grows, world units
-const float umbraLargestBox = 255.0;
 
 // Width and height, in texels, of the box for a pixel whose position on the map moves by `dx` and
 // `dy` to the next pixels, at `distance` from the camera: never narrower than the kernel.
@@ -90,8 +89,8 @@ vec2 umbraBoxOf(vec2 dx, vec2 dy, float distance) {
   if (umbraSatSize == 0) box = max(abs(dx) + abs(dy), kernel);
   if (umbraSatSize == 1) box = vec2(kernel * max(umbraSatDistance / distance, 1.0));
   // Written so that what is no number, at the edge of a spot light's view, ends at the limit too.
-  return vec2(box.x < umbraLargestBox ? box.x : umbraLargestBox,
-              box.y < umbraLargestBox ? box.y : umbraLargestBox);
+  const float largest = float(UMBRA_LARGEST_BOX);
+  return vec2(box.x < largest ? box.x : largest, box.y < largest ? box.y : largest);
 }
 #endif
 

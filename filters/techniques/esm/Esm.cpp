@@ -40,7 +40,7 @@ Trace Esm::explain(const Fetch& fetch, double receiver) const {
         sum += texel.weight * std::exp(c * (texel.depth - receiver));
     return sum;
   };
-  const double ratio = trace.steps[4].value;
+  const double ratio = fetch.channels[0] * std::exp(-values.exponent * (receiver - 0.5));
   shares.without(ErrorCause::Reduction, "v", std::min(1.0, ratio),
                  "the light-bleeding reduction takes a part of every penumbra; the bound itself "
                  "is " +

@@ -15,7 +15,8 @@ inline double chebyshevUpperBound(double m1, double m2, double t, double minVari
   return variance / (variance + distance * distance);
 }
 
-// Cuts the tail off: [amount, 1] is stretched to [0, 1] (Lauritzen 2008, §3.4; amount in [0, 1)).
+// Cuts the tail off: [amount, 1] is stretched to [0, 1] (Lauritzen 2007, GPU Gems 3,
+// ch. 8; amount in [0, 1)).
 inline double reduceLightBleeding(double visibility, double amount) {
   return std::clamp((visibility - amount) / (1.0 - amount), 0.0, 1.0);
 }

@@ -33,8 +33,8 @@ std::vector<double> withoutSpread(const Technique& technique, const Region& regi
 void chargeSpread(ErrorShares& shares, double visibilityWithoutSpread, bool early, double receiver,
                   ErrorCause cause, const std::string& whyBright);
 
-// Of the region's blocking depths: "Occluders lie at 0.2 … 0.6, the receiver 0.15 behind the
-// nearest to it".
+// Of the region's blocking depths: "occluders lie at 0.2 … 0.6, the receiver 0.15 behind the
+// last of them".
 std::string occludersText(const Occlusion& occlusion, double receiver);
 
 }  // namespace umbra
