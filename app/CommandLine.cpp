@@ -8,6 +8,7 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -92,7 +93,10 @@ class Program {
     try {
       app_.parse(argc, argv);
     } catch (const CLI::Success& help) {
-      return app_.exit(help);
+      std::ostringstream text;
+      const int status = app_.exit(help, text, std::cerr);
+      print(text.str());
+      return status;
     } catch (const CLI::ExtrasError&) {
       // A mistyped command is also an argument that is not expected, and the better explanation.
       if (asked(app_).get_parent() == nullptr) window_.checkArgument();

@@ -1,10 +1,9 @@
 #include "datasets/LessonFile.h"
 
-#include <fstream>
 #include <limits>
-#include <sstream>
 
 #include "datasets/JsonObject.h"
+#include "datasets/JsonText.h"
 #include "datasets/SessionFile.h"
 #include "filters/core/Error.h"
 
@@ -24,14 +23,6 @@ constexpr double anyNumber = std::numeric_limits<double>::max();
 
 void require(const std::string& text, const JsonObject& object, const char* key) {
   if (text.empty()) refuse(object.where(), std::string(": needs a text '") + key + "'");
-}
-
-std::string contentOf(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (!stream || fs::is_directory(file)) refuse(file.string(), ": cannot be read");
-  return text.str();
 }
 
 // What the steps before and after one are needed for.
@@ -169,19 +160,11 @@ Lesson lessonFrom(const Json& json, const std::string& where) {
 }  // namespace
 
 Lesson lessonFromText(std::string_view text, std::string_view where) {
-  try {
-    return lessonFrom(Json::parse(text), std::string(where));
-  } catch (const Json::parse_error& error) {
-    refuse(std::string(where),
-           ": is not JSON, it breaks off or errs at byte " + std::to_string(error.byte));
-  } catch (const Json::exception& error) {
-    const std::string what = error.what();
-    refuse(std::string(where), ": cannot be read: " + what.substr(what.find(' ') + 1));
-  }
+  return lessonFrom(jsonFromText(text, where), std::string(where));
 }
 
 Lesson readLesson(const fs::path& file) {
-  Lesson lesson = lessonFromText(contentOf(file), file.string());
+  Lesson lesson = lessonFromText(textOf(file), file.string());
   for (LessonStep& step : lesson.steps)
     if (step.session.source.kind == SourceKind::MeshFile)
       step.session.source.name =
@@ -190,7 +173,7 @@ Lesson readLesson(const fs::path& file) {
 }
 
 bool looksLikeLesson(const fs::path& file) {
-  const Json json = Json::parse(contentOf(file), nullptr, false);
+  const Json json = Json::parse(textOf(file), nullptr, false);
   if (!json.is_object() || !json.contains("format")) return false;
   const Json& format = json.at("format");
   return format.is_string() && format.get<std::string>().starts_with("umbrascope-lesson");

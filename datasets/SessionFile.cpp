@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include "datasets/JsonObject.h"
+#include "datasets/JsonText.h"
 #include "datasets/SessionFileFrame.h"
 #include "filters/core/AtomicFile.h"
 #include "filters/core/Error.h"
@@ -231,27 +230,11 @@ std::string sessionToText(const Session& session) {
 }
 
 Session sessionFromText(std::string_view text, std::string_view where) {
-  try {
-    return sessionFrom(Json::parse(text), where);
-  } catch (const Json::parse_error& error) {
-    throw Error(ErrorKind::BadInput, std::string(where) +
-                                         ": is not JSON, it breaks off or errs at byte " +
-                                         std::to_string(error.byte));
-  } catch (const Json::exception& error) {
-    // "[json.exception.out_of_range.406] number overflow parsing '1e400'"
-    const std::string what = error.what();
-    throw Error(ErrorKind::BadInput,
-                std::string(where) + ": cannot be read: " + what.substr(what.find(' ') + 1));
-  }
+  return sessionFrom(jsonFromText(text, where), where);
 }
 
 Session readSession(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (!stream || std::filesystem::is_directory(file))
-    throw Error(ErrorKind::BadInput, file.string() + ": cannot be read");
-  Session session = sessionFromText(text.str(), file.string());
+  Session session = sessionFromText(textOf(file), file.string());
   if (session.source.kind != SourceKind::Catalogue)
     session.source.name = (std::filesystem::absolute(file).parent_path() / session.source.name)
                               .lexically_normal()

@@ -224,6 +224,17 @@ TEST_F(SessionFileTest, WhatIsNoSessionIsRefused) {
     EXPECT_NE(errorOf(whole.substr(0, length)).find("is not JSON"), std::string::npos) << length;
 }
 
+TEST_F(SessionFileTest, AKeyThatIsThereTwiceIsRefused) {
+  EXPECT_EQ(errorOf(sessionWith(R"("frame": {"kernel": {"radius": 3, "radius": 5}})")),
+            "s.json: frame.kernel.radius: is there twice, one has to go");
+  EXPECT_EQ(errorOf(sessionWith(R"("technique": "vsm", "size": [64, 64], "technique": "esm")")),
+            "s.json: technique: is there twice, one has to go");
+  // One name in two objects is no repetition.
+  EXPECT_EQ(errorOf(sessionWith(R"("parameters": {"vsm": {"bleed-reduction": 0.1},
+                                                  "msm": {"bleed-reduction": 0.1}})")),
+            "no error");
+}
+
 TEST_F(SessionFileTest, PathsAreRelativeToTheFile) {
   Session session;
   session.source = {

@@ -8,6 +8,7 @@
 #include "analysis/ProbePlots.h"
 #include "datasets/Comparison.h"
 #include "ui/Prober.h"
+#include "ui/RayTracedTruth.h"
 #include "ui/SceneView.h"
 #include "ui/SessionController.h"
 #include "ui/widgets/PlotPane.h"
@@ -30,6 +31,7 @@ EvidencePanes::EvidencePanes(SessionController& controller, SceneView& view, Pro
       controller_(controller),
       view_(view),
       prober_(prober),
+      rays_(new RayTracedTruth(controller, view, prober, this)),
       map_(new ShadowMapView),
       region_(new RegionTable),
       curves_(new PlotPane),
@@ -39,6 +41,7 @@ EvidencePanes::EvidencePanes(SessionController& controller, SceneView& view, Pro
       table_(new ProbeTable),
       trace_(new TracePane) {
   connect(&prober_, &Prober::reported, this, &EvidencePanes::refreshProbe);
+  connect(rays_, &RayTracedTruth::traced, this, &EvidencePanes::refreshTable);
   connect(&view_, &SceneView::frameDrawn, this, &EvidencePanes::refreshMap);
   connect(map_, &ShadowMapView::channelChosen, this, &EvidencePanes::showChannel);
   connect(table_, &ProbeTable::techniqueChosen, this, [this](const QString& id) {
@@ -102,7 +105,7 @@ void EvidencePanes::refreshProbe() {
   curves_->setPlot(curvesPlot(probe, technique));
   cdf_->setPlot(cdfPlot(probe));
   histogram_->setPlot(histogramPlot(probe));
-  table_->setProbe(probe, style::text(technique));
+  refreshTable();
   if (const TechniqueResult* result = resultOf(probe, technique))
     trace_->setTrace(style::text(result->technique->info().title), explain(probe, *result));
   else
@@ -116,6 +119,14 @@ void EvidencePanes::refreshProbe() {
     regionShown_ = true;
   }
   if (!report->pinned) regionShown_ = false;
+}
+
+void EvidencePanes::refreshTable() {
+  const auto& report = prober_.report();
+  if (!report) return;
+  std::optional<RayTracedRow> rays;
+  if (rays_->applies()) rays.emplace(RayTracedRow{rays_->visibility()});
+  table_->setProbe(report->probe, style::text(controller_.session().technique), rays);
 }
 
 QStringList EvidencePanes::channelNames() const {

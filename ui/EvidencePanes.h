@@ -12,6 +12,7 @@ namespace umbra {
 class PlotPane;
 class ProbeTable;
 class Prober;
+class RayTracedTruth;
 class RegionTable;
 class SceneView;
 class SessionController;
@@ -53,6 +54,7 @@ class EvidencePanes : public QObject {
 
  private:
   void refreshProbe();
+  void refreshTable();
   void showHints();
   void showChannel();
   QStringList channelNames() const;
@@ -61,6 +63,7 @@ class EvidencePanes : public QObject {
   SessionController& controller_;
   SceneView& view_;
   Prober& prober_;
+  RayTracedTruth* rays_;  // hears of a probe before the panes do
   ShadowMapView* map_;
   RegionTable* region_;
   PlotPane *curves_, *cdf_, *histogram_;

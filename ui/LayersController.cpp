@@ -43,7 +43,7 @@ LayerParameters layerParametersOf(const Technique& technique) {
   };
   LayerParameters layers;
   layers.layers = std::get<int>(value("layers"));
-  const auto& placement = std::get<std::string>(value("placement"));
+  const auto placement = std::get<std::string>(value("placement"));
   layers.placement =
       LayerPlacement(std::find(layerPlacementNames.begin(), layerPlacementNames.end(), placement) -
                      layerPlacementNames.begin());

@@ -172,7 +172,9 @@ Session MainWindow::sessionToSave() const {
   const QSize size = view_->pixels();
   const auto& report = prober_->report();
   if (size.isEmpty()) return session;
-  if (session.probe && report && report->pinned) session.probe = report->pixel;
+  // The report may be of a picture of another size still.
+  if (session.probe && report && report->pinned && report->point)
+    session.probe = view_->pixelOf(*report->point).value_or(report->pixel);
   if (!session.probe || (report && report->pinned)) {
     session.width = size.width();
     session.height = size.height();

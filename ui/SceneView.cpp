@@ -96,9 +96,8 @@ void SceneView::showDocument(const Document& document, const Technique& techniqu
   const bool newChannels = newMap || newTechnique || !(session.frame.kernel == old.kernel) ||
                            session.frame.map.format != old.map.format ||
                            summed(session.frame) != summed(old);
-  mapRevision_ += newMap;
-  firstMapRevision_ += newMap;
-  channelsRevision_ += newChannels;
+  newMap_ = newMap_ || newMap;
+  newChannels_ = newChannels_ || newChannels;
 
   if (isValid()) makeCurrent();
   const Camera camera = session.camera.value_or(scene->camera);
@@ -235,17 +234,19 @@ void SceneView::drawFrame() {
   }
 }
 
-// Samples are what the driver gave, and cascades follow the camera: both are known once drawn.
+// Until the next frame is drawn, the last one's maps are what can be read. Samples are what the
+// driver gave, and cascades follow the camera: both are known then.
 void SceneView::noteMaps() {
   std::vector<double> maps{double(shadow_->samples())};
   for (const Cascade& cascade : shadow_->cascades())
     maps.insert(maps.end(), {cascade.left, cascade.top, cascade.side});
-  if (maps == maps_) return;
   const bool newFirst =
       maps_.size() < 4 || !std::equal(maps.begin(), maps.begin() + 4, maps_.begin());
-  ++mapRevision_;
-  ++channelsRevision_;
-  firstMapRevision_ += newFirst;
+  const bool newMaps = newMap_ || maps != maps_;
+  mapRevision_ += newMaps;
+  firstMapRevision_ += newMap_ || newFirst;
+  channelsRevision_ += newMaps || newChannels_;
+  newMap_ = newChannels_ = false;
   maps_ = std::move(maps);
 }
 

@@ -52,7 +52,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   std::pair<Image<float>, Image<float>> measure(const Technique& technique);
   // The surface around a pixel, as a plane.
   std::optional<Plane> surfacePlane(const Pixel& pixel, const SurfacePoint& centre);
-  // Equal numbers mean equal depth maps, and equal channels.
+  // Of the last frame: equal numbers mean equal depth maps, and equal channels.
   int mapRevision() const { return mapRevision_; }
   // The same of the first cascade's map, which techniques adapt to.
   int firstMapRevision() const { return firstMapRevision_; }
@@ -92,6 +92,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   std::optional<QPointF> pressed_, lightGrip_;
   const Scene* drawnScene_ = nullptr;  // by the last frame; only to be compared
   bool stale_ = true, drawn_ = false, painting_ = false;
+  bool newMap_ = true, newChannels_ = true;  // what the next frame bakes anew
   int mapRevision_ = 0, firstMapRevision_ = 0, channelsRevision_ = 0;
   std::vector<double> maps_;    // of the last frame: samples, then each cascade's window
   std::vector<double> splits_;  // of the last frame

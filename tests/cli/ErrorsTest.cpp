@@ -215,6 +215,7 @@ TEST_F(Errors, OutputsThatCannotBeWritten) {
   expectError(4, "m.exr", {"encode", "--depth", map, "-o", below + "/c.exr"});
   expectError(4, "m.exr", {"render", "--scene", "two-planes", "-o", below + "/p.png"});
   expectError(4, "standard output", probe({}), {.output = "/dev/full"});
+  expectError(4, "standard output", {"probe", "--help"}, {.output = "/dev/full"});
   std::filesystem::create_directory(folder.file("d.exr"));
   expectError(4, "d.exr", {"encode", "--depth", map, "-o", folder.file("d.exr")});
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"d.exr", "m.exr"}));

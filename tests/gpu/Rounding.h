@@ -68,4 +68,12 @@ double readError(const Evaluate& evaluate, const ReadPoint& read) {
   return 2 * error;
 }
 
+// The largest sum of the weights of a summed-area box's rectangles along one axis: at most three,
+// each of one whole texel's weight, but for a texel at the map's edge that repeats. `centre` and
+// `width` in texels of a map of `size`.
+inline double largestSatWeight(double centre, double width, int size) {
+  const bool repeats = centre - width / 2 < 1.0 || centre + width / 2 > size - 1.0;
+  return repeats ? 1.0 + 2.0 / width : 3.0 / width;
+}
+
 }  // namespace umbra::test

@@ -45,18 +45,6 @@ int additions(int width, int height) {
   return 3 * passes;
 }
 
-// How far a float table's mean may be off where the absolute values that it sums come to `total`:
-// every node has rounded each of its additions; a rectangle takes four nodes and three differences;
-// an axis has at most three rectangles, whose weights come to no more than one whole texel's each,
-// 1 / width, but for a texel at the edge that repeats.
-double sumsError(double total, int width, int height, double boxWidth, double boxHeight,
-                 bool atEdge) {
-  const double rectangle = (4 * additions(width, height) + 3 * 2) * eps * total;
-  const double across = atEdge ? 1.0 + 2.0 / boxWidth : 3.0 / boxWidth;
-  const double down = atEdge ? 1.0 + 2.0 / boxHeight : 3.0 / boxHeight;
-  return rectangle * across * down;
-}
-
 // A technique whose visibility is the channel that the receiver names, so that what a read gives
 // can be seen.
 class Channels final : public TechniqueWith<Channels, NoParameters> {
@@ -158,6 +146,15 @@ class Sat : public GpuTest {
   std::optional<ChannelBaker> baker;
 };
 
+// How far a float table's mean may be off where the absolute values that it sums come to `total`:
+// every node has rounded each of its additions; a rectangle takes four nodes and three differences,
+// and is weighted along both axes.
+double sumsError(double total, const DepthMap& map, const Box& box) {
+  return (4 * additions(map.width(), map.height()) + 3 * 2) * eps * total *
+         largestSatWeight(box.u * map.width(), box.width, map.width()) *
+         largestSatWeight(box.v * map.height(), box.height, map.height());
+}
+
 // Positions are rounded as products with the map's size, the box's ends as sums of up to the box's
 // width; a mean of values over a range of 1 moves by 1 / width of that. Nine weighted terms, each
 // with a product, a division and a sum.
@@ -184,10 +181,9 @@ TEST_F(Sat, BoxMeansAgreeWithTheReferenceInEveryPrecision) {
                                      box.width, box.height);
         // All values lie within a range of 1, about 0 or about what is subtracted.
         const double total = double(map.width()) * map.height();
-        const double summing =
-            precision == SatPrecision::Integer
-                ? (format == StorageFormat::Unorm16 ? 0.0 : 0.5 / 65535)
-                : sumsError(total, map.width(), map.height(), box.width, box.height, true);
+        const double summing = precision == SatPrecision::Integer
+                                   ? (format == StorageFormat::Unorm16 ? 0.0 : 0.5 / 65535)
+                                   : sumsError(total, map, box);
         ASSERT_NEAR(gpu[i], exact, summing + readingError(box, map))
             << "box " << i << " at " << box.u << "," << box.v << ", " << box.width << "x"
             << box.height << ", channel " << box.channel;
@@ -265,9 +261,8 @@ TEST_F(Sat, AFixedBoxIsABilinearReadOfTheBoxBlur) {
     const std::vector<float> blurred = evaluate(boxes, ReadFilter::Bilinear, kernel);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       const double total = double(map.width()) * map.height();
-      const double summing = precision == SatPrecision::Integer
-                                 ? 0.5 / 65535
-                                 : sumsError(total, map.width(), map.height(), 7, 7, true);
+      const double summing =
+          precision == SatPrecision::Integer ? 0.5 / 65535 : sumsError(total, map, boxes[i]);
       // A blur of two axes of seven terms, and its bilinear mix.
       EXPECT_NEAR(summed[i], blurred[i],
                   summing + 2 * readingError(boxes[i], map) + (2 * 9 + 9) * eps)

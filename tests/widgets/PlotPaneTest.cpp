@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <qwt_plot.h>
+#include <qwt_scale_widget.h>
 
 #include <QClipboard>
 #include <QFile>
@@ -96,6 +97,33 @@ TEST_F(PlotPaneTest, ReceiversMarkerIsDragged) {
   EXPECT_EQ(dragged.last()[0].toDouble(), 0.0);
   QTest::mouseRelease(canvas, Qt::LeftButton, {}, at(0.4));
   EXPECT_EQ(finished.count(), 1);
+}
+
+TEST_F(PlotPaneTest, TheDepthAxisTakesTheReceiverWhereverItIsPressed) {
+  QSignalSpy dragged(&pane, &PlotPane::depthDragged);
+  QSignalSpy finished(&pane, &PlotPane::depthDragFinished);
+  QWidget* canvas = pane.canvas()->canvas();
+  QWidget* axis = pane.canvas()->axisWidget(QwtPlot::xBottom);
+  const auto below = [&](double depth) {
+    return QPoint(axis->mapFromGlobal(canvas->mapToGlobal(at(depth))).x(), axis->height() / 2);
+  };
+  const double pixel = pane.canvas()->invTransform(QwtPlot::xBottom, 1) -
+                       pane.canvas()->invTransform(QwtPlot::xBottom, 0);
+  QTest::mousePress(axis, Qt::LeftButton, {}, below(0.2));
+  ASSERT_EQ(dragged.count(), 1);
+  EXPECT_NEAR(dragged.last()[0].toDouble(), 0.2, pixel);
+  moveMouse(axis, below(0.6), Qt::LeftButton);
+  EXPECT_NEAR(dragged.last()[0].toDouble(), 0.6, pixel);
+  QTest::mouseRelease(axis, Qt::LeftButton, {}, below(0.6));
+  EXPECT_EQ(finished.count(), 1);
+  // A plot without a receiver has nothing to move.
+  Plot plain = examplePlot();
+  plain.markers.clear();
+  pane.setPlot(plain);
+  dragged.clear();
+  QTest::mousePress(axis, Qt::LeftButton, {}, below(0.2));
+  QTest::mouseRelease(axis, Qt::LeftButton, {}, below(0.2));
+  EXPECT_EQ(dragged.count(), 0);
 }
 
 TEST_F(PlotPaneTest, DraggableMarkersAreDraggedByTheirNumber) {

@@ -95,6 +95,24 @@ TEST_F(ProbeTableTest, ARefusedTechniqueShowsADashAndItsReason) {
   EXPECT_EQ(table.asText().split('\n').at(5), "Exponential (ESM)\t\t\t");
 }
 
+TEST_F(ProbeTableTest, RaysStandBelowTheTechniquesAndCannotBeChosen) {
+  using Model = ProbeTableModel;
+  const int last = 4;
+  table.setProbe(exampleProbe(), "vsm", RayTracedRow{});
+  ASSERT_EQ(table.view()->model()->rowCount(), last + 1);
+  EXPECT_EQ(cell(last, Model::ValueColumn), "…");
+  EXPECT_EQ(cell(last, Model::ErrorColumn), "");
+  EXPECT_TRUE(table.asText().endsWith("map\t\t\t\n"));
+  table.setProbe(exampleProbe(), "vsm", RayTracedRow{exampleProbe().reference + 0.25});
+  EXPECT_EQ(cell(last, Model::ValueColumn), "0.250");
+  EXPECT_EQ(cell(last, Model::ErrorColumn), "+0.250");
+  EXPECT_TRUE(table.asText().endsWith("map\t0.25\t\t0.25\n"));
+  QSignalSpy chosen(&table, &ProbeTable::techniqueChosen);
+  QTest::mouseClick(table.view()->viewport(), Qt::LeftButton, {},
+                    table.view()->visualRect(table.view()->model()->index(last, 0)).center());
+  EXPECT_EQ(chosen.count(), 0);
+}
+
 TEST_F(ProbeTableTest, ClearedTableShowsAHint) {
   const auto hint = [this] {
     for (const QLabel* label : table.findChildren<QLabel*>())

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/RayTracedVisibility.h"
 #include "ui/EvidencePanes.h"
 #include "ui/Prober.h"
 #include "ui/SceneView.h"
@@ -126,14 +127,23 @@ void WindowTest::theTableAgreesWithTheAnalysis() {
     }
     const Probe expected = takeProbe(request);
     const QAbstractItemModel& table = *window.evidence().table().view()->model();
-    QCOMPARE(table.rowCount(), int(expected.techniques.size()));
-    for (int row = 0; row < table.rowCount(); ++row) {
+    const int techniques = int(expected.techniques.size());
+    QCOMPARE(table.rowCount(), techniques + 1);
+    const auto cell = [&](int row, int column) {
+      return table.index(row, column).data().toString();
+    };
+    for (int row = 0; row < techniques; ++row) {
       const TechniqueResult& one = expected.techniques[std::size_t(row)];
-      const auto cell = [&](int column) { return table.index(row, column).data().toString(); };
-      QCOMPARE(cell(0), style::text(one.technique->info().title));
-      QCOMPARE(cell(1), QString::number(one.visibility, 'f', 3));
-      QCOMPARE(cell(3), style::signedFigure(one.error));
+      QCOMPARE(cell(row, 0), style::text(one.technique->info().title));
+      QCOMPARE(cell(row, 1), QString::number(one.visibility, 'f', 3));
+      QCOMPARE(cell(row, 3), style::signedFigure(one.error));
     }
+    const RayTracedVisibility rays(*window.controller().document().content.scene,
+                                   window.view().lastFrame()->cascades(), map.width(), false,
+                                   RayTracedVisibility::largestSide);
+    const double traced = rays(expected.region, expected.receiver);
+    QTRY_COMPARE(cell(techniques, 1), QString::number(traced, 'f', 3));
+    QCOMPARE(cell(techniques, 3), style::signedFigure(traced - expected.reference));
   }
 }
 

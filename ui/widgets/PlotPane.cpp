@@ -3,6 +3,7 @@
 #include <qwt_plot.h>
 #include <qwt_plot_canvas.h>
 #include <qwt_scale_map.h>
+#include <qwt_scale_widget.h>
 #include <qwt_text.h>
 
 #include <QClipboard>
@@ -52,6 +53,7 @@ PlotPane::PlotPane(const QString& title, QWidget* parent)
   widget_->setMinimumSize(120, 90);
   widget_->canvas()->setMouseTracking(true);
   widget_->canvas()->installEventFilter(this);
+  widget_->axisWidget(QwtPlot::xBottom)->installEventFilter(this);
   pages_->addWidget(hint_);
   pages_->addWidget(widget_);
   body()->addLayout(pages_, 1);
@@ -72,6 +74,9 @@ void PlotPane::setPlot(const Plot& plot) {
   untitled.title.clear();
   showPlot(*widget_, untitled);
   fitAxisTitle();
+  QWidget* axis = widget_->axisWidget(QwtPlot::xBottom);
+  axis->setCursor(receiver() ? Qt::SplitHCursor : Qt::ArrowCursor);
+  axis->setToolTip(receiver() ? tr("Drag along the axis to move the receiver") : QString());
   pages_->setCurrentWidget(widget_);
 }
 
@@ -124,6 +129,14 @@ bool PlotPane::isReceiver(int marker) const {
   return plot_->markers[std::size_t(marker)].colour == probeColour;
 }
 
+std::optional<int> PlotPane::receiver() const {
+  for (int i = 0; plot_ && i < int(plot_->markers.size()); ++i) {
+    const PlotMarker& marker = plot_->markers[std::size_t(i)];
+    if (marker.axis == MarkerAxis::Vertical && marker.draggable && isReceiver(i)) return i;
+  }
+  return std::nullopt;
+}
+
 std::optional<int> PlotPane::markerAt(int pixel) const {
   std::optional<int> found;
   double nearest = grabDistance;
@@ -168,7 +181,29 @@ void PlotPane::hover(const QPoint& pixel) {
 }
 
 bool PlotPane::eventFilter(QObject* watched, QEvent* event) {
-  if (watched != widget_->canvas() || !plot_) return Card::eventFilter(watched, event);
+  if (!plot_) return Card::eventFilter(watched, event);
+  if (watched == widget_->canvas()) return canvasEvent(event);
+  if (watched == widget_->axisWidget(QwtPlot::xBottom)) return axisEvent(event);
+  return Card::eventFilter(watched, event);
+}
+
+// The axis takes the receiver wherever it is pressed, the canvas only by its marker.
+bool PlotPane::axisEvent(QEvent* event) {
+  const QEvent::Type type = event->type();
+  if (type != QEvent::MouseButtonPress && type != QEvent::MouseMove &&
+      type != QEvent::MouseButtonRelease)
+    return false;
+  const auto* mouse = static_cast<QMouseEvent*>(event);
+  if (type == QEvent::MouseButtonPress && mouse->button() == Qt::LeftButton) dragged_ = receiver();
+  if (!dragged_) return false;
+  if (type == QEvent::MouseButtonRelease)
+    endDrag();
+  else
+    drag(widget_->canvas()->mapFromGlobal(mouse->globalPos()).x());
+  return true;
+}
+
+bool PlotPane::canvasEvent(QEvent* event) {
   if (event->type() == QEvent::Resize) fitAxisTitle();
   if (event->type() == QEvent::MouseMove) {
     const QPoint pixel = static_cast<QMouseEvent*>(event)->pos();
@@ -189,7 +224,7 @@ bool PlotPane::eventFilter(QObject* watched, QEvent* event) {
     endDrag();
     return true;
   }
-  return Card::eventFilter(watched, event);
+  return false;
 }
 
 void PlotPane::contextMenuEvent(QContextMenuEvent* event) {

@@ -34,7 +34,8 @@ class PlotPane : public Card {
   void saveAs();      // asks for the file
 
  signals:
-  // The receiver's marker (a vertical one in probeColour) is dragged to this x, in [0,1].
+  // The receiver's marker (a vertical one in probeColour) is dragged to this x, in [0,1]; or the
+  // pointer is dragged along the axis beneath such a plot.
   void depthDragged(double depth);
   void depthDragFinished();
   // A draggable marker, counted in the plot's list, is dragged to this x, in [0,1].
@@ -51,6 +52,9 @@ class PlotPane : public Card {
   // The marker nearest to this pixel across the plot's canvas, of those that can be dragged there.
   std::optional<int> markerAt(int pixel) const;
   bool isReceiver(int marker) const;
+  std::optional<int> receiver() const;  // the marker that is one, if it can be dragged
+  bool canvasEvent(QEvent* event);
+  bool axisEvent(QEvent* event);
   void drag(int pixel);
   void endDrag();
   double depthAt(int pixel) const;

@@ -65,13 +65,14 @@ ProbeTable::ProbeTable(QWidget* parent)
   showHint(true);
   connect(view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           [this](const QModelIndex& current) {
-            if (!quiet_ && current.isValid())
-              emit techniqueChosen(current.data(ProbeTableModel::IdRole).toString());
+            const QString id = current.data(ProbeTableModel::IdRole).toString();
+            if (!quiet_ && !id.isEmpty()) emit techniqueChosen(id);
           });
 }
 
-void ProbeTable::setProbe(const Probe& probe, const QString& selected) {
-  model_->setProbe(probe);
+void ProbeTable::setProbe(const Probe& probe, const QString& selected,
+                          const std::optional<RayTracedRow>& rays) {
+  model_->setProbe(probe, rays);
   showHint(false);
   setSelected(selected);
   arrangeColumns();

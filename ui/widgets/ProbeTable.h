@@ -1,15 +1,15 @@
 // What every technique makes of the probed region, and how far that is from the truth.
 #pragma once
 
-#include "analysis/Probe.h"
+#include <optional>
+
 #include "ui/widgets/Card.h"
+#include "ui/widgets/ProbeTableModel.h"
 
 class QLabel;
 class QTableView;
 
 namespace umbra {
-
-class ProbeTableModel;
 
 class ProbeTable : public Card {
   Q_OBJECT
@@ -17,8 +17,10 @@ class ProbeTable : public Card {
  public:
   explicit ProbeTable(QWidget* parent = nullptr);
 
-  // One row per technique of the probe, in its order; `selected` is an id.
-  void setProbe(const Probe& probe, const QString& selected);
+  // One row per technique of the probe, in its order, and below them the ray-traced truth where
+  // there is one; `selected` is an id.
+  void setProbe(const Probe& probe, const QString& selected,
+                const std::optional<RayTracedRow>& rays = {});
   void setSelected(const QString& id);
   // No rows, a hint in their place; "" is how to get rows.
   void clear(const QString& hint = {});

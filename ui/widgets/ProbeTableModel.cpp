@@ -1,13 +1,32 @@
 #include "ui/widgets/ProbeTableModel.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "filters/core/Parameters.h"
 #include "ui/widgets/Style.h"
 
 namespace umbra {
 
-void ProbeTableModel::setProbe(const Probe& probe) {
+// Not a technique: it has no id, and cannot be chosen.
+ProbeTableModel::Row ProbeTableModel::rayTracedRow(const RayTracedRow& rays, double reference) {
+  Row row;
+  row.title = tr("Rays, without a map");
+  row.citation =
+      tr("What exact percentage-closer filtering differs from it is the shadow map's "
+         "error; what a technique differs from percentage-closer filtering is the "
+         "filter's.");
+  row.colour = style::ink;
+  row.pending = !rays.visibility;
+  if (rays.visibility) {
+    row.visibility = *rays.visibility;
+    row.error = row.visibility - reference;
+  }
+  row.order = std::numeric_limits<int>::max();
+  return row;
+}
+
+void ProbeTableModel::setProbe(const Probe& probe, const std::optional<RayTracedRow>& rays) {
   std::vector<Row> rows;
   const auto add = [&rows](const TechniqueInfo& info) -> Row& {
     rows.push_back({style::text(info.id), style::text(info.title), style::text(info.citation),
@@ -23,6 +42,7 @@ void ProbeTableModel::setProbe(const Probe& probe) {
   }
   for (const RefusedTechnique& refused : probe.refused)
     add(refused.technique->info()).refusal = style::text(refused.reason);
+  if (rays) rows.push_back(rayTracedRow(*rays, probe.reference));
   std::stable_sort(rows.begin(), rows.end(),
                    [](const Row& a, const Row& b) { return a.order < b.order; });
   const bool same = std::equal(rows.begin(), rows.end(), rows_.begin(), rows_.end(),
@@ -56,7 +76,7 @@ QString ProbeTableModel::asText() const {
   const auto number = [](double value) { return QString::fromStdString(toText(value)); };
   QString text = "technique\tvisibility\tgpu\terror\n";
   for (const Row& row : rows_)
-    if (!row.refusal.isEmpty())
+    if (!row.refusal.isEmpty() || row.pending)
       text += row.title + "\t\t\t\n";
     else
       text += row.title + "\t" + number(row.visibility) + "\t" +
@@ -73,8 +93,10 @@ int ProbeTableModel::columnCount(const QModelIndex& parent) const {
 }
 
 Qt::ItemFlags ProbeTableModel::flags(const QModelIndex& index) const {
-  const bool refused = index.isValid() && !rows_[std::size_t(index.row())].refusal.isEmpty();
-  return refused ? Qt::NoItemFlags : QAbstractTableModel::flags(index);
+  if (!index.isValid()) return Qt::NoItemFlags;
+  const Row& row = rows_[std::size_t(index.row())];
+  if (!row.refusal.isEmpty()) return Qt::NoItemFlags;
+  return row.id.isEmpty() ? Qt::ItemIsEnabled : QAbstractTableModel::flags(index);
 }
 
 QVariant ProbeTableModel::data(const QModelIndex& index, int role) const {
@@ -88,6 +110,7 @@ QVariant ProbeTableModel::data(const QModelIndex& index, int role) const {
       return row.error;
     case Qt::ToolTipRole:
       if (!row.refusal.isEmpty()) return row.refusal;
+      if (row.pending) return tr("%1: being computed\n%2").arg(row.title, row.citation);
       return tr("%1: v = %2, error %3 (%4)\n%5")
           .arg(row.title, style::figure(row.visibility), style::signedFigure(row.error),
                row.error > 0   ? tr("too light")
@@ -101,6 +124,8 @@ QVariant ProbeTableModel::data(const QModelIndex& index, int role) const {
   }
   if (!row.refusal.isEmpty() && (index.column() == ValueColumn || index.column() == ErrorColumn))
     return QString(QChar(0x2013));
+  if (row.pending && index.column() == ValueColumn) return QString(QChar(0x2026));
+  if (row.pending && index.column() == ErrorColumn) return QString();
   switch (index.column()) {
     case TitleColumn:
       return row.title;

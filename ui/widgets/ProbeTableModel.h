@@ -11,6 +11,11 @@
 
 namespace umbra {
 
+// A second truth below the techniques: the region's visibility by rays through every texel.
+struct RayTracedRow {
+  std::optional<double> visibility;  // none: not known yet
+};
+
 class ProbeTableModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -23,7 +28,7 @@ class ProbeTableModel : public QAbstractTableModel {
   // In the order of the lists, those that the storage format cannot hold among the others: they
   // show a dash and say why, and cannot be chosen. Rows stay where the techniques are the same, so
   // that a selection survives a moving probe.
-  void setProbe(const Probe& probe);
+  void setProbe(const Probe& probe, const std::optional<RayTracedRow>& rays = {});
   void clear();
   bool hasGpuValues() const;
   int rowOf(const QString& id) const;  // −1 where there is none
@@ -41,9 +46,12 @@ class ProbeTableModel : public QAbstractTableModel {
     QColor colour;
     double visibility = 0.0, error = 0.0;
     std::optional<double> gpu;
-    QString refusal;  // why there are no figures; empty where there are
+    bool pending = false;  // the figures are not known yet
+    QString refusal;       // why there are no figures; empty where there are
     int order = 0;
   };
+
+  static Row rayTracedRow(const RayTracedRow& rays, double reference);
 
   std::vector<Row> rows_;
 };

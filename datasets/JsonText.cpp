@@ -1,0 +1,76 @@
+#include "datasets/JsonText.h"
+
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <vector>
+
+#include "filters/core/Error.h"
+
+namespace umbra {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+// Follows a parser into its objects.
+class Keys {
+ public:
+  explicit Keys(std::string_view where) : where_(where) {}
+
+  void follow(Json::parse_event_t event, const Json& parsed) {
+    if (event == Json::parse_event_t::object_start) open_.emplace_back();
+    if (event == Json::parse_event_t::object_end) open_.pop_back();
+    if (event == Json::parse_event_t::key) add(parsed.get<std::string>());
+  }
+
+ private:
+  struct Object {
+    std::set<std::string> keys;
+    std::string last;
+  };
+
+  void add(const std::string& key) {
+    open_.back().last = key;
+    if (open_.back().keys.insert(key).second) return;
+    std::string path;
+    for (const Object& object : open_) path += (path.empty() ? "" : ".") + object.last;
+    throw Error(ErrorKind::BadInput,
+                std::string(where_) + ": " + path + ": is there twice, one has to go");
+  }
+
+  std::string_view where_;
+  std::vector<Object> open_;  // those that the parser is in, outermost first
+};
+
+}  // namespace
+
+Json jsonFromText(std::string_view text, std::string_view where) {
+  Keys keys(where);
+  try {
+    return Json::parse(text, [&](int, Json::parse_event_t event, Json& parsed) {
+      keys.follow(event, parsed);
+      return true;
+    });
+  } catch (const Json::parse_error& error) {
+    throw Error(ErrorKind::BadInput, std::string(where) +
+                                         ": is not JSON, it breaks off or errs at byte " +
+                                         std::to_string(error.byte));
+  } catch (const Json::exception& error) {
+    // "[json.exception.out_of_range.406] number overflow parsing '1e400'"
+    const std::string what = error.what();
+    throw Error(ErrorKind::BadInput,
+                std::string(where) + ": cannot be read: " + what.substr(what.find(' ') + 1));
+  }
+}
+
+std::string textOf(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (!stream || std::filesystem::is_directory(file))
+    throw Error(ErrorKind::BadInput, file.string() + ": cannot be read");
+  return text.str();
+}
+
+}  // namespace umbra
