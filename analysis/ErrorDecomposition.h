@@ -8,6 +8,7 @@
 #include <span>
 #include <string_view>
 
+#include "analysis/Metrics.h"
 #include "analysis/Probe.h"
 #include "filters/core/Image.h"
 
@@ -26,8 +27,8 @@ inline constexpr int errorPartCount = 6;
 std::string_view nameOf(ErrorPart part);  // "bleeding", "contactLeak": as in files
 
 struct DecompositionSettings {
-  // Errors below it are not worth a region: half a step of an 8-bit picture.
-  double resolution = 1.0 / 512.0;
+  // Errors below it are not worth a region.
+  double resolution = visibleError;
   // A leak is at a contact where at least half of what blocks, by weight, lies within this
   // distance before the receiver, in normalised depth. At 0.01 the usual smallest variance of
   // 1e-6 still lets 1 % of the light through, and ESM's warp of c = 80 still e^−0.8 of it: up to

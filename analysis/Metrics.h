@@ -5,6 +5,9 @@
 
 namespace umbra {
 
+// Errors from here on can be seen: half a step of an 8-bit picture.
+inline constexpr double visibleError = 1.0 / 512.0;
+
 // Of errors e = visibility − reference.
 struct Metrics {
   std::size_t samples = 0;

@@ -1,5 +1,6 @@
 #include "app/CompareFiles.h"
 
+#include "app/SurfaceReport.h"
 #include "app/Table.h"
 #include "filters/core/AtomicFile.h"
 #include "filters/core/Text.h"
@@ -50,12 +51,13 @@ void writeCompare(OutputFolder& folder, const std::vector<MetricsRow>& rows,
 std::string compareText(const std::vector<MetricsRow>& rows) {
   std::vector<TableRow> table{
       {"TECHNIQUE", "RMSE", "MAE", "BLEEDING", "DARKENING", "MAX", "MIN", "UMBRA BLEEDING"}};
-  for (const auto& [id, m, reduction, decomposition] : rows)
+  for (const auto& [id, m, reduction, decomposition, surfaces] : rows)
     table.push_back({id, shortNumber(m.rmse), shortNumber(m.mae), shortNumber(m.bleeding),
                      shortNumber(m.darkening), shortNumber(m.max), shortNumber(m.min),
                      shortNumber(m.umbraBleeding)});
   const std::size_t samples = rows.empty() ? 0 : rows.front().metrics.samples;
-  return tableText(table) + decompositionText(rows) + "\n" + std::to_string(samples) + " samples\n";
+  return tableText(table) + decompositionText(rows) + surfacesText(rows) + "\n" +
+         std::to_string(samples) + " samples\n";
 }
 
 }  // namespace umbra

@@ -1,38 +1,12 @@
 #include "app/EveryCore.h"
 
-#include <atomic>
-#include <exception>
-#include <mutex>
-#include <thread>
-#include <vector>
-
+#include "analysis/EveryCore.h"
 #include "app/Cancellation.h"
 
 namespace umbra {
 
 void onEveryCore(int count, const std::function<void(int)>& work) {
-  std::atomic<int> next = 0;
-  std::exception_ptr problem;
-  std::mutex mutex;
-  const auto run = [&](bool calling) {
-    try {
-      for (int i = next++; i < count; i = next++) {
-        if (calling) throwIfCancelled();
-        work(i);
-      }
-    } catch (...) {
-      next = count;
-      const std::lock_guard lock(mutex);
-      if (!problem) problem = std::current_exception();
-    }
-  };
-  {
-    std::vector<std::jthread> threads;
-    for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)
-      threads.emplace_back(run, false);
-    run(true);
-  }
-  if (problem) std::rethrow_exception(problem);
+  onEveryCore(count, work, [](int) { throwIfCancelled(); });
 }
 
 }  // namespace umbra

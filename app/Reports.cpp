@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "analysis/Explain.h"
+#include "app/SurfaceReport.h"
 
 namespace umbra {
 namespace {
@@ -128,7 +129,7 @@ void addRayTraced(Json& object, double visibility, bool replaces) {
 
 Json compareToJson(const std::vector<MetricsRow>& rows, std::string_view reference) {
   Json techniques = Json::array();
-  for (const auto& [id, metrics, reduction, decomposition] : rows) {
+  for (const auto& [id, metrics, reduction, decomposition, surfaces] : rows) {
     Json row = {{"name", id},
                 {"rmse", metrics.rmse},
                 {"mae", metrics.mae},
@@ -143,6 +144,7 @@ Json compareToJson(const std::vector<MetricsRow>& rows, std::string_view referen
                                   {"maxDarkening", reduction->darkening},
                                   {"removesAll", reduction->removesAll}};
     if (decomposition) row["decomposition"] = decompositionToJson(*decomposition);
+    if (surfaces) row["surfaces"] = surfacesToJson(*surfaces);
     techniques.push_back(row);
   }
   return {{"format", "umbrascope-compare/1"},

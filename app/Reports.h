@@ -9,6 +9,7 @@
 #include "analysis/ErrorDecomposition.h"
 #include "analysis/Metrics.h"
 #include "analysis/Probe.h"
+#include "analysis/SurfaceErrors.h"
 #include "app/Output.h"
 #include "datasets/SceneCatalogue.h"
 #include "datasets/SessionFile.h"
@@ -47,6 +48,7 @@ struct MetricsRow {
   Metrics metrics;
   std::optional<BleedReduction> reduction;  // of techniques that have the parameter
   std::optional<ErrorSums> decomposition;   // of the mean signed error, where asked for
+  std::optional<SurfaceSummary> surfaces;   // where asked for
 };
 // "umbrascope-compare/1". The darkening of a smallest reduction is a mean, as that of the metrics.
 // The parts of a decomposition are means over all samples and add up to its "error".

@@ -42,6 +42,7 @@ MainWindow::MainWindow(const Session& session, QWidget* parent)
   setCentralWidget(centre_);
   makeDocks();
   makeLessonDock();
+  makeSurfaceExport();
   makeActions();
   sceneText_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   statusBar()->addWidget(sceneText_, 1);

@@ -25,6 +25,7 @@ class PlotPane;
 class Prober;
 class SceneForm;
 class SceneView;
+class SurfaceExport;
 struct Lesson;
 
 class MainWindow : public QMainWindow {
@@ -58,6 +59,10 @@ class MainWindow : public QMainWindow {
   // Throw BadOutput.
   void saveSession(const std::filesystem::path& file);
   void savePicture(const std::filesystem::path& file);  // PNG, as shown with the probe
+  // The session's technique's error on the scene's mesh, .vtp or .ply; written beside this thread.
+  // Throws where the session has no such thing.
+  void exportBleeding(const std::filesystem::path& file);
+  SurfaceExport& surfaces() { return *surfaces_; }
 
  public slots:
   void showError(const QString& text);
@@ -103,6 +108,10 @@ class MainWindow : public QMainWindow {
   // MainWindowCompare.cpp
   void makeCompareMenu(QMenu& view);
   void refreshCompareMenu();
+  // MainWindowSurfaces.cpp
+  void makeSurfaceExport();
+  void askToExportBleeding();
+  QString whyNoSurfaces() const;
   // MainWindowFiles.cpp
   void askToOpen(const QString& title, const QString& filter);
   void askToSaveSession();
@@ -120,6 +129,7 @@ class MainWindow : public QMainWindow {
   CentrePane* centre_;
   LessonController* lessons_;
   LessonPane* lessonPane_ = nullptr;
+  SurfaceExport* surfaces_ = nullptr;
   // What waits beside the session while a lesson is read: the docks and where the probe is held.
   QByteArray layoutBefore_;
   int controlsWidth_ = 0;

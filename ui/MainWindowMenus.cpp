@@ -87,6 +87,7 @@ QMenu* MainWindow::makeSceneMenu() {
 QMenu* MainWindow::makeExportMenu() {
   auto* menu = new QMenu(tr("&Export"), this);
   addAction(*menu, tr("Picture …"), QKeySequence("Ctrl+E"), [this] { askToSavePicture(); });
+  addAction(*menu, tr("Bleeding on the mesh …"), {}, [this] { askToExportBleeding(); });
   menu->addSeparator();
   addAction(*menu, tr("Visibility plot …"), {}, [this] { evidence_->curves().saveAs(); });
   addAction(*menu, tr("Depths plot …"), {}, [this] { evidence_->histogram().saveAs(); });

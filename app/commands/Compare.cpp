@@ -9,6 +9,7 @@
 #include "app/Reports.h"
 #include "app/SceneCompare.h"
 #include "app/SceneSources.h"
+#include "app/SurfaceCompare.h"
 #include "app/TechniqueSet.h"
 #include "app/commands/Commands.h"
 #include "app/display/DisplayLibrary.h"
@@ -27,9 +28,10 @@ struct CompareCommand {
   void compareScene(const Session& session) const;
   std::vector<std::shared_ptr<Technique>> techniques(const Session& session) const;
   bool rayTraced() const;
+  std::optional<SurfaceOptions> surfaceOptions() const;
 
   SessionOptions options;
-  std::optional<std::string> receiver, folder, reference;
+  std::optional<std::string> receiver, folder, reference, surfaces, surfaceEdge;
   bool json = false, decompose = false;
   TechniqueCatalogue catalogue = allTechniques();
 };
@@ -57,6 +59,18 @@ CompareCommand::CompareCommand(CLI::App& command) {
           "a scene, of a map of unlimited resolution, by rays through every texel")
       ->type_name("pcf|raytraced")
       ->group(group);
+  command
+      .add_option("--surfaces", surfaces,
+                  "Of a scene: also the error on its surfaces, whoever looks at them, with areas; "
+                  "-o writes bleeding-TECHNIQUE.vtp or .ply, a mesh with the error at every vertex "
+                  "and face")
+      ->type_name("vtp|ply")
+      ->group(group);
+  command
+      .add_option("--surface-edge", surfaceEdge,
+                  "Of --surfaces: no edge is longer on the map, texels, 0.5 to 256 (default 4)")
+      ->type_name("TEXELS")
+      ->group(group);
   command.add_flag("--json", json, "Print one JSON object")->group(group);
   command.footer(
       "The error is visibility minus exact percentage-closer filtering over the same region; a\n"
@@ -76,6 +90,18 @@ std::vector<std::shared_ptr<Technique>> CompareCommand::techniques(const Session
 
 bool CompareCommand::rayTraced() const {
   return reference && rayTracedFrom(*reference, "--reference");
+}
+
+std::optional<SurfaceOptions> CompareCommand::surfaceOptions() const {
+  if (surfaceEdge && !surfaces)
+    throw Error(ErrorKind::BadCommandLine, "--surface-edge: only goes with --surfaces");
+  if (!surfaces) return std::nullopt;
+  if (rayTraced())
+    throw Error(ErrorKind::BadCommandLine,
+                "--surfaces: are compared with pcf, leave --reference raytraced out");
+  SurfaceOptions asked{surfaceFormatFrom(*surfaces, "--surfaces"), {}};
+  if (surfaceEdge) asked.mesh.edge = surfaceEdgeFrom(*surfaceEdge, "--surface-edge");
+  return asked;
 }
 
 void CompareCommand::run() const {
@@ -103,6 +129,9 @@ void CompareCommand::compareMap(Session session) const {
         "a scene");
   if (decompose)
     throw Error(ErrorKind::BadCommandLine, "--decompose: goes with a scene, not with --depth");
+  if (surfaceOptions())
+    throw Error(ErrorKind::BadCommandLine,
+                "--surfaces: a depth map has none; give --scene NAME or a mesh file");
   if (!options.namesFormat() && !options.namesSession())
     session.frame.map.format = StorageFormat::Double;
   session.frame.read.filter = ReadFilter::Point;  // of every texel
@@ -133,9 +162,12 @@ void CompareCommand::compareMap(Session session) const {
 
 void CompareCommand::compareScene(const Session& session) const {
   if (receiver) throw Error(ErrorKind::BadCommandLine, "--receiver: only goes with --depth");
+  const std::optional<SurfaceOptions> asked = surfaceOptions();
   checkGpuFormat(session);
   const auto chosen = techniques(session);
   const auto scene = std::make_shared<const Scene>(loadScene(session.source));
+  std::optional<SurfaceCompare> onSurfaces;
+  if (asked) onSurfaces.emplace(scene, session.frame, *asked);
   const std::unique_ptr<Display> display = loadDisplay();
   const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
   std::optional<OutputFolder> files;
@@ -151,8 +183,13 @@ void CompareCommand::compareScene(const Session& session) const {
       display->writePictures({{id, frame->colour()}}, files->file("error-" + id + ".png"));
     std::optional<ErrorSums> parts;
     if (decompose) parts = sumsOf(decomposeFrame(*frame, session.frame, *technique));
+    std::optional<SurfaceErrors> onMesh;
+    if (onSurfaces) onMesh = onSurfaces->errors(*frame, *technique);
+    if (onMesh && files)
+      onSurfaces->write(onMesh->mesh, files->file(onSurfaces->fileName(*technique)), *display);
     rows.push_back(compareFrame(*frame, *technique, rays ? &*rays : nullptr));
     rows.back().decomposition = parts;
+    if (onMesh) rows.back().surfaces = onMesh->summary;
   }
   throwIfCancelled();
   const std::string_view truth = rays ? "raytraced" : "pcf";

@@ -10,6 +10,7 @@
 
 #include "analysis/Plot.h"
 #include "datasets/Session.h"
+#include "filters/core/FieldMesh.h"
 #include "filters/gpu/ShadowRenderer.h"
 
 namespace umbra {
@@ -60,6 +61,9 @@ class Display {
   // The same in memory, for documents that contain them.
   virtual std::string svgOf(const Plot& plot) = 0;
   virtual std::string pngOf(const Image<std::uint8_t>& picture) = 0;
+
+  // A mesh with values as VTK PolyData. Throws BadOutput.
+  virtual void writeVtp(const FieldMesh& mesh, const std::filesystem::path& file) = 0;
 };
 
 // The one symbol of the library.

@@ -9,6 +9,7 @@
 #include "app/display/PictureFile.h"
 #include "app/display/RendererFrame.h"
 #include "app/display/VtkMessages.h"
+#include "filters/gpu/VtpFile.h"
 #include "ui/PlotRenderer.h"
 #include "ui/RunWindow.h"
 
@@ -47,6 +48,10 @@ class QtVtkDisplay final : public Display {
   }
 
   std::string pngOf(const Image<std::uint8_t>& picture) override { return umbra::pngOf(picture); }
+
+  void writeVtp(const FieldMesh& mesh, const std::filesystem::path& file) override {
+    umbra::writeVtp(mesh, file);
+  }
 
  private:
   // Text needs an application, which without a display is one that draws off screen.

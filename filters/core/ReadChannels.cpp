@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "filters/core/Crop.h"
 #include "filters/core/Error.h"
 #include "filters/core/MipLevels.h"
 #include "filters/core/Prefilter.h"
@@ -40,12 +41,8 @@ Image<double> prefilteredBlock(const DepthMap& map, const Technique& technique,
   const auto inside = [](int texel, int size) { return std::clamp(texel, 0, size - 1); };
   const int left = inside(block.left, map.width()), right = inside(block.right, map.width());
   const int top = inside(block.top, map.height()), bottom = inside(block.bottom, map.height());
-  DepthMap crop(right - left + 1 + 2 * r, bottom - top + 1 + 2 * r, map.channels());
-  for (int y = 0; y < crop.height(); ++y)
-    for (int x = 0; x < crop.width(); ++x)
-      std::ranges::copy(
-          map.pixel(inside(left - r + x, map.width()), inside(top - r + y, map.height())),
-          crop.pixel(x, y).begin());
+  const DepthMap crop =
+      croppedMap(map, left - r, top - r, right - left + 1 + 2 * r, bottom - top + 1 + 2 * r);
   const Image<double> prefiltered = prefilteredMap(crop, technique, kernel, format);
   Image<double> result(block.width(), block.height(), prefiltered.channels());
   for (int y = 0; y < result.height(); ++y)

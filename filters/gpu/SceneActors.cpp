@@ -12,7 +12,7 @@
 
 #include <cstring>
 
-#include "filters/gpu/ClosedBody.h"
+#include "filters/core/ClosedBody.h"
 
 namespace umbra {
 namespace {

@@ -1,4 +1,4 @@
-#include "filters/gpu/ClosedBody.h"
+#include "filters/core/ClosedBody.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -28,7 +28,7 @@ std::uint32_t partOf(std::vector<std::uint32_t>& parents, std::uint32_t corner) 
 
 }  // namespace
 
-bool isClosedBody(const Mesh& mesh) {
+std::vector<bool> closedTriangles(const Mesh& mesh) {
   const std::vector<std::uint32_t> welded = weld(mesh.positions);
   std::vector<std::uint32_t> parents(welded.size());
   std::iota(parents.begin(), parents.end(), 0u);
@@ -41,19 +41,31 @@ bool isClosedBody(const Mesh& mesh) {
     }
   }
   std::sort(edges.begin(), edges.end());
-  if (std::adjacent_find(edges.begin(), edges.end()) != edges.end()) return false;
-  for (const auto& [from, to] : edges)
-    if (!std::binary_search(edges.begin(), edges.end(), std::pair(to, from))) return false;
-
-  std::map<std::uint32_t, double> volumes;  // six times that of each part
+  std::vector<bool> open(welded.size(), false);  // by a part's representative
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const auto [from, to] = edges[i];
+    const bool twice = i + 1 < edges.size() && edges[i + 1] == edges[i];
+    if (twice || !std::binary_search(edges.begin(), edges.end(), std::pair(to, from)))
+      open[partOf(parents, from)] = true;
+  }
+  std::vector<double> volumes(welded.size(), 0.0);  // six times that of each part
   for (const auto& [a, b, c] : mesh.triangles) {
     const Eigen::Vector3d p = mesh.positions[a].cast<double>();
     const Eigen::Vector3d q = mesh.positions[b].cast<double>();
     const Eigen::Vector3d r = mesh.positions[c].cast<double>();
     volumes[partOf(parents, welded[a])] += p.dot(q.cross(r));
   }
-  return std::all_of(volumes.begin(), volumes.end(),
-                     [](const auto& part) { return part.second > 0.0; });
+  std::vector<bool> closed;
+  for (const auto& triangle : mesh.triangles) {
+    const std::uint32_t part = partOf(parents, welded[triangle[0]]);
+    closed.push_back(!open[part] && volumes[part] > 0.0);
+  }
+  return closed;
+}
+
+bool isClosedBody(const Mesh& mesh) {
+  const std::vector<bool> closed = closedTriangles(mesh);
+  return std::find(closed.begin(), closed.end(), false) == closed.end();
 }
 
 }  // namespace umbra

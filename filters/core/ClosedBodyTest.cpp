@@ -1,5 +1,5 @@
 // Which meshes may be drawn without their back faces.
-#include "filters/gpu/ClosedBody.h"
+#include "filters/core/ClosedBody.h"
 
 #include <gtest/gtest.h>
 
@@ -56,6 +56,13 @@ TEST(ClosedBody, IsNoBodyInsideOut) {
   EXPECT_FALSE(isClosedBody(inverted));
   // Nor does a larger or equal part the right way round make up for it.
   EXPECT_FALSE(isClosedBody(both(tetrahedron({5, 0, 0}), inverted)));
+}
+
+TEST(ClosedBody, PartsAreToldApart) {
+  Mesh open = tetrahedron({5, 0, 0});
+  open.triangles.pop_back();
+  const std::vector<bool> expected{true, true, true, true, false, false, false};
+  EXPECT_EQ(closedTriangles(both(tetrahedron(), open)), expected);
 }
 
 }  // namespace

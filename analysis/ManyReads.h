@@ -1,0 +1,41 @@
+// Many reads of one map: as a probe takes them one by one, at a cost that does not grow with the
+// kernel where the technique is prefilterable.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "filters/core/FrameSettings.h"
+#include "filters/core/Image.h"
+#include "filters/core/Technique.h"
+
+namespace umbra {
+
+struct MapRead {
+  double u = 0.0, v = 0.0;  // in [0,1] from the map's top-left corner, v down
+  double receiver = 0.0;    // z_r, biased, [0,1]
+};
+
+struct ReadVisibility {
+  double visibility = 1.0;  // by the technique
+  double reference = 1.0;   // exact percentage-closer filtering over the same region
+};
+
+struct ReadSubject {
+  const DepthMap& map;
+  const Technique& technique;  // parameters set, adapted to the map
+  Kernel kernel;
+  // Point, bilinear or summed area; the latter's box is as wide as the kernel's window.
+  ReadFilter filter = ReadFilter::Bilinear;
+  StorageFormat format = StorageFormat::Float;
+};
+
+// One result for each read, in their order. Works on every core; `progress`
+// is called on the calling thread alone with the part that is done, 0 … 1; what it throws ends the
+// work.
+std::vector<ReadVisibility> evaluateReads(const ReadSubject& subject,
+                                          std::span<const MapRead> reads,
+                                          const std::function<void(double)>& progress);
+
+}  // namespace umbra

@@ -1,0 +1,64 @@
+#include "app/SurfaceCompare.h"
+
+#include <spdlog/spdlog.h>
+
+#include "app/Cancellation.h"
+#include "app/options/OptionValues.h"
+#include "datasets/FieldMeshPly.h"
+#include "filters/core/Error.h"
+#include "filters/core/Text.h"
+
+namespace umbra {
+
+std::string surfaceFormatFrom(const std::string& name, std::string_view where) {
+  if (name == "vtp" || name == "ply") return name;
+  throw Error(ErrorKind::BadCommandLine,
+              std::string(where) + ": '" + name + "' is neither vtp nor ply");
+}
+
+double surfaceEdgeFrom(const std::string& text, std::string_view where) {
+  return numberFrom(text, std::string(where),
+                    {SurfaceMeshSettings::shortestEdge, SurfaceMeshSettings::longestEdge});
+}
+
+SurfaceCompare::SurfaceCompare(std::shared_ptr<const Scene> scene, const FrameSettings& settings,
+                               const SurfaceOptions& options)
+    : scene_(std::move(scene)), settings_(settings), options_(options) {
+  if (const std::string reason = whyNoSurfaceErrors(settings_); !reason.empty())
+    throw Error(ErrorKind::BadCommandLine, "--surfaces: " + reason);
+}
+
+const SurfaceMesh& SurfaceCompare::meshOn(HeadlessFrame& frame) {
+  if (mesh_) return *mesh_;
+  mesh_ = surfaceMeshOf(*scene_, frame.cascades().front().frame, frame.depthMap().width(),
+                        options_.mesh, throwIfCancelled);
+  if (mesh_->edge > options_.mesh.edge)
+    spdlog::warn(
+        "--surfaces: edges are up to {} texels long in place of {}, which would take more "
+        "than {} faces",
+        shortNumber(mesh_->edge), shortNumber(options_.mesh.edge), options_.mesh.mostFaces);
+  return *mesh_;
+}
+
+SurfaceErrors SurfaceCompare::errors(HeadlessFrame& frame, const Technique& technique) {
+  const std::unique_ptr<Technique> adapted = technique.clone();
+  adapted->adapt(frame.depthMap());
+  return surfaceErrors(
+      meshOn(frame),
+      {*scene_, frame.cascades().front().frame, frame.depthMap(), settings_, *adapted},
+      [](double) { throwIfCancelled(); });
+}
+
+std::string SurfaceCompare::fileName(const Technique& technique) const {
+  return "bleeding-" + std::string(technique.info().id) + "." + options_.extension;
+}
+
+void SurfaceCompare::write(const FieldMesh& mesh, const std::filesystem::path& file,
+                           Display& display) const {
+  if (options_.extension == "ply")
+    writePly(mesh, file);
+  else
+    display.writeVtp(mesh, file);
+}
+
+}  // namespace umbra

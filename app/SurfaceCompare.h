@@ -1,0 +1,45 @@
+// A technique's error on the surfaces of a rendered scene.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "analysis/SurfaceErrors.h"
+#include "app/display/Display.h"
+
+namespace umbra {
+
+// What `compare --surfaces` asks for.
+struct SurfaceOptions {
+  std::string extension = "vtp";  // of the files, without a dot: vtp or ply
+  SurfaceMeshSettings mesh;
+};
+
+// Throw BadCommandLine for another format, or an edge out of range.
+std::string surfaceFormatFrom(const std::string& name, std::string_view where);
+double surfaceEdgeFrom(const std::string& text, std::string_view where);
+
+// Of one scene, whose surfaces are divided once for all techniques.
+class SurfaceCompare {
+ public:
+  SurfaceCompare(std::shared_ptr<const Scene> scene, const FrameSettings& settings,
+                 const SurfaceOptions& options);
+
+  // On the map of the frame as it was last rendered. Works on every core; can be interrupted.
+  SurfaceErrors errors(HeadlessFrame& frame, const Technique& technique);
+  // "bleeding-vsm.vtp"
+  std::string fileName(const Technique& technique) const;
+  void write(const FieldMesh& mesh, const std::filesystem::path& file, Display& display) const;
+
+ private:
+  const SurfaceMesh& meshOn(HeadlessFrame& frame);
+
+  std::shared_ptr<const Scene> scene_;
+  FrameSettings settings_;
+  SurfaceOptions options_;
+  std::optional<SurfaceMesh> mesh_;
+};
+
+}  // namespace umbra

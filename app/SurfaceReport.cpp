@@ -1,0 +1,60 @@
+#include "app/SurfaceReport.h"
+
+#include "analysis/Metrics.h"
+#include "app/Table.h"
+#include "filters/core/Text.h"
+
+namespace umbra {
+namespace {
+
+Json worstToJson(const std::optional<SurfacePlace>& worst) {
+  if (!worst) return nullptr;
+  const Eigen::Vector3d& p = worst->position;
+  return {{"position", {p.x(), p.y(), p.z()}}, {"error", worst->error}};
+}
+
+void addSums(Json& object, const SurfaceSums& sums) {
+  object["area"] = sums.area;
+  object["shadowedArea"] = sums.shadowedArea;
+  object["bleedingArea"] = sums.bleedingArea;
+  object["meanBleeding"] = sums.meanBleeding;
+  object["worst"] = worstToJson(sums.worst);
+  object["faces"] = sums.faces;
+}
+
+std::string placeText(const std::optional<SurfacePlace>& worst) {
+  if (!worst) return "-";
+  const Eigen::Vector3d& p = worst->position;
+  return shortNumber(p.x()) + "," + shortNumber(p.y()) + "," + shortNumber(p.z());
+}
+
+}  // namespace
+
+Json surfacesToJson(const SurfaceSummary& summary) {
+  Json object = Json::object(), objects = Json::array();
+  addSums(object, summary.all);
+  object["edge"] = summary.edge;
+  object["visibleFrom"] = visibleError;
+  for (const SurfaceSums& sums : summary.objects) {
+    Json row = {{"name", sums.name}};
+    addSums(row, sums);
+    objects.push_back(row);
+  }
+  object["objects"] = objects;
+  return object;
+}
+
+std::string surfacesText(const std::vector<MetricsRow>& rows) {
+  std::vector<TableRow> table{
+      {"TECHNIQUE", "AREA", "SHADOWED", "BLEEDING AREA", "MEAN BLEEDING", "WORST", "AT X,Y,Z"}};
+  for (const MetricsRow& row : rows) {
+    if (!row.surfaces) continue;
+    const SurfaceSums& all = row.surfaces->all;
+    table.push_back({row.technique, shortNumber(all.area), shortNumber(all.shadowedArea),
+                     shortNumber(all.bleedingArea), shortNumber(all.meanBleeding),
+                     all.worst ? shortNumber(all.worst->error) : "-", placeText(all.worst)});
+  }
+  return table.size() > 1 ? "\n" + tableText(table) : "";
+}
+
+}  // namespace umbra

@@ -1,0 +1,102 @@
+// Bleeding written onto the mesh.
+#include <QProgressDialog>
+#include <QStatusBar>
+
+#include "filters/core/Error.h"
+#include "ui/CentrePane.h"
+#include "ui/MainWindow.h"
+#include "ui/MessageBanner.h"
+#include "ui/SceneView.h"
+#include "ui/SurfaceExport.h"
+#include "ui/widgets/Style.h"
+
+namespace umbra {
+namespace {
+
+QString textOf(const SurfaceSummary& summary) {
+  const SurfaceSums& all = summary.all;
+  if (!all.worst) return MainWindow::tr("no surface bleeds visibly");
+  const Eigen::Vector3d& p = all.worst->position;
+  return MainWindow::tr("light bleeds on %1 of %2 square units, most by %3 at (%4, %5, %6)")
+      .arg(style::figure(all.bleedingArea), style::figure(all.area),
+           style::figure(all.worst->error), style::figure(p.x()), style::figure(p.y()),
+           style::figure(p.z()));
+}
+
+}  // namespace
+
+// The first reason that stands against it, before a person is asked where to.
+QString MainWindow::whyNoSurfaces() const {
+  const Document& document = controller_.document();
+  if (!document.content.scene)
+    return tr("A depth map has no surfaces to write on; open a scene or a mesh.");
+  const QString refusal = controller_.refusals().value(style::text(document.session.technique));
+  if (!refusal.isEmpty()) return refusal;
+  const std::string reason = whyNoSurfaceErrors(document.session.frame);
+  if (!reason.empty()) return tr("Bleeding on the mesh: %1.").arg(style::text(reason));
+  if (surfaces_->busy()) return tr("A mesh is being written; wait until it is there.");
+  if (!view_->upToDate()) return tr("The picture is being drawn; try again when it is there.");
+  return {};
+}
+
+void MainWindow::makeSurfaceExport() {
+  surfaces_ = new SurfaceExport(this);
+  connect(surfaces_, &SurfaceExport::failed, this, &MainWindow::showError);
+  connect(surfaces_, &SurfaceExport::cancelled, this,
+          [this] { statusBar()->showMessage(tr("Cancelled; no file was written."), 6000); });
+  connect(surfaces_, &SurfaceExport::written, this,
+          [this](const QString& file, const SurfaceSummary& summary) {
+            statusBar()->showMessage(tr("Wrote %1: %2").arg(file, textOf(summary)), 15000);
+            const double asked = SurfaceMeshSettings().edge;
+            if (summary.edge > asked)
+              centre_->banner().showNotice(
+                  tr("The map is finer than the mesh: its edges are up to %1 texels long in place "
+                     "of %2, which would take more than %L3 faces.")
+                      .arg(summary.edge)
+                      .arg(asked)
+                      .arg(qulonglong(SurfaceMeshSettings().mostFaces)));
+          });
+}
+
+void MainWindow::exportBleeding(const std::filesystem::path& file) {
+  if (const QString reason = whyNoSurfaces(); !reason.isEmpty())
+    throw Error(ErrorKind::BadCommandLine, reason.toStdString());
+  ShadowRenderer& frame = *view_->lastFrame();
+  SurfaceJob job{controller_.document().content.scene,
+                 frame.lightFrame(),
+                 frame.depthMap(),
+                 controller_.session().frame,
+                 controller_.technique().clone(),
+                 true};
+  // As in the picture.
+  if (const std::vector<double> splits = frame.adaptedSplits(); !splits.empty()) {
+    job.technique->setAdaptedSplits(splits);
+    job.adapts = false;
+  }
+  surfaces_->start(job, file);
+}
+
+void MainWindow::askToExportBleeding() {
+  if (const QString reason = whyNoSurfaces(); !reason.isEmpty()) return showError(reason);
+  const QString name =
+      QStringLiteral("bleeding-%1.vtp").arg(style::text(controller_.session().technique));
+  const auto file = askWhere(tr("Export bleeding on the mesh"), name,
+                             tr("VTK PolyData, for ParaView (*.vtp);;PLY, for MeshLab (*.ply)"));
+  if (!file) return;
+  attempt([&] {
+    exportBleeding(*file);
+    auto* dialog = new QProgressDialog(tr("Reading the shadow map on every surface …"),
+                                       tr("Cancel"), 0, 100, this);
+    dialog->setWindowTitle(tr("Bleeding on the mesh"));
+    dialog->setWindowModality(Qt::WindowModal);
+    dialog->setMinimumDuration(300);
+    dialog->setAutoReset(false);
+    connect(dialog, &QProgressDialog::canceled, surfaces_, &SurfaceExport::cancel);
+    connect(surfaces_, &SurfaceExport::progressed, dialog, &QProgressDialog::setValue);
+    connect(surfaces_, &SurfaceExport::failed, dialog, &QObject::deleteLater);
+    connect(surfaces_, &SurfaceExport::written, dialog, &QObject::deleteLater);
+    connect(surfaces_, &SurfaceExport::cancelled, dialog, &QObject::deleteLater);
+  });
+}
+
+}  // namespace umbra

@@ -1,0 +1,54 @@
+// Writes a technique's bleeding onto the scene's mesh, beside the interface's thread.
+#pragma once
+
+#include <QObject>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "analysis/SurfaceErrors.h"
+
+namespace umbra {
+
+// All that the work needs, so that the window may go on meanwhile.
+struct SurfaceJob {
+  std::shared_ptr<const Scene> scene;
+  LightFrame light;
+  DepthMap map;
+  FrameSettings frame;
+  std::shared_ptr<Technique> technique;
+  bool adapts = true;  // the technique is still to follow the map
+};
+
+class SurfaceExport : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit SurfaceExport(QObject* parent = nullptr);
+  // Cancels.
+  ~SurfaceExport() override;
+
+  bool busy() const { return busy_; }
+  // To a .vtp or .ply file; throws BadOutput for another one. Ends in `written`, `failed` or
+  // `cancelled`, on the thread of this object. Not while busy.
+  void start(const SurfaceJob& job, const std::filesystem::path& file);
+
+ public slots:
+  // What stood at the file stays.
+  void cancel();
+
+ signals:
+  void progressed(int percent);
+  void written(const QString& file, const umbra::SurfaceSummary& summary);
+  void failed(const QString& message);  // one line for people
+  void cancelled();
+
+ private:
+  void run(const SurfaceJob& job, const std::filesystem::path& file, const std::stop_token& stop);
+  void finish(const std::function<void()>& report);
+
+  bool busy_ = false;
+  std::jthread thread_;
+};
+
+}  // namespace umbra
