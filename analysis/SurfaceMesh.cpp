@@ -92,26 +92,51 @@ class Divider {
     return (std::uint64_t(std::min(from, to)) << 32) | std::max(from, to);
   }
 
+  // The longest edge of each face that has one to be halved. Faces of which another edge is halved
+  // get their own longest one halved with it, so that none becomes slender (Rivara 1984).
   bool markEdges(double edge) {
     middles_.clear();
     for (const SurfaceFace& face : mesh_.faces) {
-      bool wanted = false, looked = false;  // most faces have no long edge and need no look
+      int longest = 0;
+      std::array<double, 3> lengths;
       for (int i = 0; i < 3; ++i) {
-        const std::uint32_t from = face.corners[i], to = face.corners[(i + 1) % 3];
-        if (lengthOf(from, to) <= edge) continue;
-        if (!looked) wanted = mayLieOnMap(face) && mayFaceLight(face);
-        looked = true;
-        if (wanted) middles_.try_emplace(keyOf(from, to), whole);
+        lengths[i] = lengthOf(face.corners[i], face.corners[(i + 1) % 3]);
+        if (lengths[i] > lengths[longest]) longest = i;
       }
+      if (lengths[longest] > edge && mayLieOnMap(face) && mayFaceLight(face)) mark(face, longest);
     }
-    return !middles_.empty();
+    if (middles_.empty()) return false;
+    for (bool more = true; more;) {
+      more = false;
+      for (const SurfaceFace& face : mesh_.faces)
+        if (isMarked(face, 0) || isMarked(face, 1) || isMarked(face, 2))
+          more = mark(face, longestInWorld(face)) || more;
+    }
+    return true;
+  }
+
+  bool isMarked(const SurfaceFace& face, int i) const {
+    return middles_.contains(keyOf(face.corners[i], face.corners[(i + 1) % 3]));
+  }
+
+  // False where it was already.
+  bool mark(const SurfaceFace& face, int i) {
+    return middles_.try_emplace(keyOf(face.corners[i], face.corners[(i + 1) % 3]), whole).second;
+  }
+
+  int longestInWorld(const SurfaceFace& face) const {
+    const auto squared = [&](int i) {
+      return (mesh_.positions[face.corners[i]] - mesh_.positions[face.corners[(i + 1) % 3]])
+          .squaredNorm();
+    };
+    const float lengths[] = {squared(0), squared(1), squared(2)};
+    return int(std::max_element(lengths, lengths + 3) - lengths);
   }
 
   std::size_t facesAfterwards() const {
     std::size_t count = mesh_.faces.size();
     for (const SurfaceFace& face : mesh_.faces)
-      for (int i = 0; i < 3; ++i)
-        count += middles_.count(keyOf(face.corners[i], face.corners[(i + 1) % 3]));
+      for (int i = 0; i < 3; ++i) count += isMarked(face, i);
     return count;
   }
 

@@ -12,7 +12,7 @@ namespace meshfile {
 
 Exporter::Exporter(const FieldMesh& mesh) : mesh_(mesh), kernel_(mesh) {}
 
-Exporter::Kernel::Kernel(const FieldMesh& mesh) {
+Exporter::Kernel::Kernel(const FieldMesh& mesh) : mesh_(mesh) {
   // Only persistent properties are written.
   for (const MeshField& field : mesh.vertexFields) {
     OpenMesh::VPropHandleT<float> handle;

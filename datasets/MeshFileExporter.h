@@ -79,6 +79,12 @@ class Exporter : public OpenMesh::IO::BaseExporter {
   class Kernel : public OpenMesh::BaseKernel {
    public:
     explicit Kernel(const FieldMesh& mesh);
+    // Every list is made as long as these.
+    std::size_t n_vertices() const override { return mesh_.positions.size(); }
+    std::size_t n_faces() const override { return mesh_.triangles.size(); }
+
+   private:
+    const FieldMesh& mesh_;
   };
 
   template <class Vector>

@@ -51,6 +51,9 @@ class WindowTest : public QObject {
   void whatATableOfSumsCannotServeCannotBeChosen();
   void aDockFloatsAndComesBack();
   void pictureAndPlotsAreWritten();
+  void bleedingIsWrittenOntoTheMesh();
+  void aCancelledMeshLeavesWhatWasThere();
+  void whatHasNoSurfacesIsRefused();
   void aBadFileLeavesTheSceneOpen();
   void droppedFacesAreReported();
   void anotherSceneOpensAndUndoBringsTheFirstBack();
