@@ -1,6 +1,10 @@
 #include "app/SceneProbe.h"
 
+#include <cmath>
+
 #include "analysis/ReceiverPixels.h"
+#include "analysis/SurfaceRead.h"
+#include "analysis/SurfaceSpot.h"
 #include "app/Cancellation.h"
 #include "app/FrameReads.h"
 #include "app/Reports.h"
@@ -11,6 +15,10 @@ namespace {
 
 std::string textOf(Pixel pixel) {
   return std::to_string(pixel.x) + "," + std::to_string(pixel.y);
+}
+
+bool isInMap(const SurfacePoint& surface) {
+  return surface.u >= 0 && surface.u <= 1 && surface.v >= 0 && surface.v <= 1;
 }
 
 SurfacePoint surfaceOf(HeadlessFrame& frame, const Session& session, Pixel pixel) {
@@ -24,12 +32,76 @@ SurfacePoint surfaceOf(HeadlessFrame& frame, const Session& session, Pixel pixel
     throw Error(
         ErrorKind::BadCommandLine,
         "--pixel: " + textOf(pixel) + " shows no surface; choose one on an object, or 'worst'");
-  const bool inside = surface->u >= 0 && surface->u <= 1 && surface->v >= 0 && surface->v <= 1;
-  if (!inside)
+  if (!isInMap(*surface))
     throw Error(ErrorKind::BadCommandLine,
                 "--pixel: " + textOf(pixel) +
                     " lies outside the shadow map; choose one inside, or 'worst'");
   return *surface;
+}
+
+// As each technique's frame shows it: the same but for the visibility.
+struct SeenSurface {
+  Pixel pixel;
+  std::vector<SurfacePoint> surfaces;  // of a hidden one only the first
+  bool hidden = false;
+};
+
+SceneProbe takeSceneProbe(HeadlessFrame& frame, const Session& session,
+                          const std::vector<std::shared_ptr<Technique>>& techniques,
+                          const SeenSurface& seen, const std::optional<double>& receiver) {
+  const SurfacePoint& surface = seen.surfaces.front();
+  ProbeRequest request = requestAt(frame, session.frame, surface);
+  request.receiver = receiver.value_or(surface.receiver);
+  const DepthMap& first = frame.depthMap(0);
+  for (const auto& technique : techniques) {
+    technique->adapt(first);
+    request.techniques.push_back(technique);
+  }
+  SceneProbe result{takeProbe(request), seen.pixel, surface, seen.hidden};
+  // A receiver set by hand is not the one that the frame was shaded with.
+  if (receiver || seen.hidden) return result;
+  for (std::size_t i = 0; i < techniques.size(); ++i)
+    result.probe.techniques[i].gpu = seen.surfaces[i].visibility;
+  return result;
+}
+
+struct KeptPlace {
+  SeenSurface seen;
+  std::string reason;  // why there is none
+};
+
+// Where the last frame reads the surface at `point`.
+KeptPlace placeOf(HeadlessFrame& frame, const Scene& scene, const Session& session,
+                  const Eigen::Vector3d& point) {
+  const auto spot = surfaceNear(scene, point);
+  if (!spot) return {{}, "no surface of the scene is there"};
+  const PictureView picture{session.camera.value_or(scene.camera), session.width, session.height};
+  if (const auto at = picture.pixelOf(point)) {
+    const Pixel pixel{int(std::floor(at->x())), int(std::floor(at->y()))};
+    const bool inside =
+        pixel.x >= 0 && pixel.y >= 0 && pixel.x < session.width && pixel.y < session.height;
+    const auto surface = inside ? frame.surfaceAt(pixel.x, pixel.y) : std::nullopt;
+    if (surface && isSeenAt(picture, point, spot->normal, surface->world) && isInMap(*surface))
+      return {{pixel, {*surface}, false}, {}};
+  }
+  const Eigen::AlignedBox3d bounds = scene.lightBounds();
+  const auto found =
+      readOfSurface(point, spot->normal,
+                    {picture, fitLightFrame(session.light.value_or(scene.light), bounds),
+                     frame.cascades(), session.frame, bounds.diagonal().norm()});
+  if (const auto* why = std::get_if<Unreadable>(&found))
+    return {{}, *why == Unreadable::OutsideMap ? "outside the shadow map" : "not in sight"};
+  const auto& read = std::get<SurfaceRead>(found);
+  SurfacePoint surface;
+  surface.u = read.read.u;
+  surface.v = read.read.v;
+  surface.receiver = read.receiver;
+  surface.facesLight = read.facesLight;
+  surface.world = point;
+  surface.footprint = read.read.footprint;
+  surface.cascade = read.cascade;
+  surface.nextCascade = read.nextCascade;
+  return {{{}, {surface}, true}, {}};
 }
 
 }  // namespace
@@ -51,20 +123,36 @@ SceneProbe probeScene(HeadlessFrame& frame, const Session& session,
     frame.render(*technique, ViewMode::Shaded);
     surfaces.push_back(surfaceOf(frame, session, pixel));
   }
-  const SurfacePoint& surface = surfaces.front();
-  ProbeRequest request = requestAt(frame, session.frame, surface);
-  request.receiver = session.receiver.value_or(surface.receiver);
-  const DepthMap& first = frame.depthMap(0);
+  return takeSceneProbe(frame, session, techniques, {pixel, surfaces}, session.receiver);
+}
+
+std::vector<KeptSceneProbe> probeKept(HeadlessFrame& frame, const Scene& scene,
+                                      const Session& session,
+                                      const std::vector<std::shared_ptr<Technique>>& techniques,
+                                      const std::vector<NamedProbe>& kept,
+                                      const std::optional<double>& receiver) {
+  std::vector<KeptPlace> places(kept.size());
   for (const auto& technique : techniques) {
-    technique->adapt(first);
-    request.techniques.push_back(technique);
+    throwIfCancelled();
+    frame.render(*technique, ViewMode::Shaded);
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+      SeenSurface& seen = places[i].seen;
+      if (technique == techniques.front())
+        places[i] = placeOf(frame, scene, session, *kept[i].point);
+      else if (!seen.surfaces.empty() && !seen.hidden)
+        seen.surfaces.push_back(surfaceOf(frame, session, seen.pixel));
+    }
   }
-  SceneProbe result{takeProbe(request), pixel, surface};
-  // A receiver set by hand is not the one that the frame was shaded with.
-  if (!session.receiver)
-    for (std::size_t i = 0; i < techniques.size(); ++i)
-      result.probe.techniques[i].gpu = surfaces[i].visibility;
-  return result;
+  std::vector<KeptSceneProbe> results;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    throwIfCancelled();
+    KeptSceneProbe& result = results.emplace_back();
+    result.reason = places[i].reason;
+    if (result.reason.empty())
+      result.probe = takeSceneProbe(frame, session, techniques, places[i].seen,
+                                    receiver ? receiver : kept[i].receiver);
+  }
+  return results;
 }
 
 Pixel worstBleeding(HeadlessFrame& frame, const Technique& technique) {
@@ -91,7 +179,10 @@ Json sceneProbeToJson(const SceneProbe& probe, const DepthMap& map, const std::s
                       ReadFilter filter, int bins, int samples) {
   Json object = probeToJson(probe.probe, map, {name, bins, samples});
   const SurfacePoint& surface = probe.surface;
-  object["pixel"] = {probe.pixel.x, probe.pixel.y};
+  if (probe.hidden)
+    object["hidden"] = true;
+  else
+    object["pixel"] = {probe.pixel.x, probe.pixel.y};
   object["world"] = {surface.world.x(), surface.world.y(), surface.world.z()};
   object["uv"] = {surface.u, surface.v};
   object["cascade"] = surface.cascade;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "analysis/Probe.h"
@@ -12,8 +14,9 @@ namespace umbra {
 
 struct SceneProbe {
   Probe probe;
-  Pixel pixel;
+  Pixel pixel;  // where the surface is in sight
   SurfacePoint surface;
+  bool hidden = false;  // from the camera: what the GPU makes of it is not known
 };
 
 // Takes the region that the shaded frame reads at `pixel` apart, in the session's format, and
@@ -21,6 +24,20 @@ struct SceneProbe {
 // the frame, without a surface or outside the light's frame.
 SceneProbe probeScene(HeadlessFrame& frame, const Session& session,
                       const std::vector<std::shared_ptr<Technique>>& techniques, Pixel pixel);
+
+// A kept probe of a scene, or why it cannot be read: one sentence.
+struct KeptSceneProbe {
+  std::optional<SceneProbe> probe;
+  std::string reason;
+};
+
+// The same of points: in sight what the shaded frame reads in the point's pixel; else what it would
+// read there, were nothing in front. `receiver` takes the place of each probe's own.
+std::vector<KeptSceneProbe> probeKept(HeadlessFrame& frame, const Scene& scene,
+                                      const Session& session,
+                                      const std::vector<std::shared_ptr<Technique>>& techniques,
+                                      const std::vector<NamedProbe>& kept,
+                                      const std::optional<double>& receiver);
 
 // The technique of which the worst pixel is shown: VSM, which bleeds, where it is among `chosen`;
 // else the first that is an upper bound, else the first.
@@ -33,7 +50,8 @@ Pixel worstBleeding(HeadlessFrame& frame, const Technique& technique);
 
 // The fields of probeToJson with "pixel", "world" and "uv", which is on the map of "cascade";
 // "nextCascade" is the next one's weight, in a seam only. "filter" is the frame's, "footprint" in
-// texels, for filters that have one. `map` is of any cascade: all are as large.
+// texels, for filters that have one. "hidden" is there in place of "pixel" where it is true. `map`
+// is of any cascade: all are as large.
 Json sceneProbeToJson(const SceneProbe& probe, const DepthMap& map, const std::string& name,
                       ReadFilter filter, int bins, int samples);
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "datasets/Comparison.h"
+#include "datasets/NamedProbe.h"
 #include "filters/core/FrameSettings.h"
 #include "filters/core/Light.h"
 #include "filters/core/Parameters.h"
@@ -32,12 +33,6 @@ struct SceneSource {
   bool operator==(const SceneSource&) const = default;
 };
 
-struct Pixel {
-  int x = 0, y = 0;  // of the frame, or texel of a depth file; y down, from 0
-
-  bool operator==(const Pixel&) const = default;
-};
-
 // Values that differ from the defaults, by parameter; and those by technique.
 using ParameterValues = std::map<std::string, ParameterValue>;
 using TechniqueParameters = std::map<std::string, ParameterValues>;
@@ -55,6 +50,8 @@ struct Session {
   int width = 1280, height = 720;  // of a rendered picture, pixels
   std::optional<Pixel> probe;
   std::optional<double> receiver;  // probe on a depth file: z_r; in the window, one dragged by hand
+  std::vector<NamedProbe> probes;  // that are kept, in the order of their table
+  std::string keptProbe;           // at which of them `probe` is; "" where at none
 
   bool operator==(const Session&) const = default;
 };

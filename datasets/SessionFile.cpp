@@ -6,6 +6,7 @@
 #include "datasets/JsonObject.h"
 #include "datasets/JsonText.h"
 #include "datasets/SessionFileFrame.h"
+#include "datasets/SessionFileProbes.h"
 #include "filters/core/AtomicFile.h"
 #include "filters/core/Error.h"
 #include "filters/core/Text.h"
@@ -174,6 +175,8 @@ Json toJson(const Session& session) {
   json["size"] = {session.width, session.height};
   if (session.probe) json["probe"] = {session.probe->x, session.probe->y};
   if (session.receiver) json["receiver"] = *session.receiver;
+  if (!session.probes.empty()) json["probes"] = probesJson(session.probes);
+  if (!session.keptProbe.empty()) json["keptProbe"] = session.keptProbe;
   return json;
 }
 
@@ -201,6 +204,7 @@ Session sessionFrom(const Json& json, std::string_view where) {
   double receiver = -1.0;
   object.read("receiver", receiver, 0.0, 1.0);
   if (receiver >= 0.0) session.receiver = receiver;
+  readProbes(object, session);
   const auto readPixels = [&](const char* key, int low, int high, auto use) {
     if (!json.contains(key)) return;
     const std::string place = std::string(where) + ": " + key;
@@ -218,6 +222,9 @@ Session sessionFrom(const Json& json, std::string_view where) {
   readPixels("probe", 0, Session::largestSide - 1, [&](int x, int y) {
     session.probe = Pixel{x, y};
   });
+  if (!session.keptProbe.empty() && !session.probe)
+    throw Error(ErrorKind::BadInput,
+                std::string(where) + ": keptProbe: needs a 'probe', the pixel or texel it is at");
   object.readRest([&](const std::string& key, const Json&, const std::string& place) {
     if (key != "size" && key != "probe")
       throw Error(ErrorKind::BadInput, place + ": there is no such key");

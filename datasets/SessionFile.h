@@ -16,11 +16,14 @@
 //  "technique": "vsm",
 //  "parameters": {"vsm": {"min-variance": 1e-5}, "lvsm": {"splits": [0.2, 0.5]}},
 //  "compare": {"mode": "grid", "techniques": ["vsm", "lvsm"], "wipe": 0.5},
-//  "size": [1280, 720], "probe": [x, y], "receiver": 0.7}
+//  "size": [1280, 720], "probe": [x, y], "receiver": 0.7,
+//  "probes": [{"name": "bench", "point": [x,y,z] | "texel": [x, y], "receiver": 0.7}],
+//  "keptProbe": "bench"}
 //
 // Every key but "format" may be absent and then has its default; "light" and "camera" absent means
 // the scene's own, "frozen" absent that the cascades follow the camera.
-// A saved session has "compare" once something was compared.
+// A saved session has "compare" once something was compared, "probes" once one was kept, and
+// "keptProbe" while "probe" is at one of them.
 #pragma once
 
 #include <filesystem>

@@ -137,8 +137,9 @@ void CentrePane::showReport() {
       depth_->clearRegion();
     return;
   }
-  view_.setHint(report ? QString()
-                       : tr("Point at a shadow to take it apart. Click to keep the point."));
+  view_.setHint(
+      report ? QString()
+             : tr("Point at a shadow to take it apart. Click to hold the point, K keeps it."));
   const Session& session = controller_.session();
   const std::string id = techniqueAtProbe();
   const TechniqueResult* result = report ? resultOf(report->probe, id) : nullptr;

@@ -13,8 +13,11 @@
 #include "ui/ControlPane.h"
 #include "ui/EvidencePanes.h"
 #include "ui/FrameFigures.h"
+#include "ui/KeptProbes.h"
+#include "ui/KeptProbesPane.h"
 #include "ui/LessonController.h"
 #include "ui/MessageBanner.h"
+#include "ui/ProbeMarks.h"
 #include "ui/Prober.h"
 #include "ui/ReductionTools.h"
 #include "ui/SceneForm.h"
@@ -31,6 +34,8 @@ MainWindow::MainWindow(const Session& session, QWidget* parent)
       evidence_(new EvidencePanes(controller_, *view_, *prober_, this)),
       controls_(new ControlPane(controller_, *prober_, *view_)),
       centre_(new CentrePane(controller_, *view_, *prober_)),
+      kept_(new KeptProbes(controller_, *view_, *prober_, this)),
+      keptPane_(new KeptProbesPane(*kept_, controller_, *prober_)),
       lessons_(new LessonController(controller_, *prober_, this)),
       modes_(new QActionGroup(this)),
       techniques_(new QActionGroup(this)),
@@ -52,6 +57,7 @@ MainWindow::MainWindow(const Session& session, QWidget* parent)
   }
   connectParts();
   view_->showDocument(controller_.document(), controller_.technique());
+  view_->setMarks(marksOf(*kept_));
   refresh();
   showNotices();
   // No frame calls for the probe of a depth file; its panes have their sizes once this returned.
@@ -88,6 +94,7 @@ void MainWindow::connectParts() {
   connect(evidence_, &EvidencePanes::failed, this, &MainWindow::showError);
   connect(evidence_, &EvidencePanes::message, statusBar(),
           [this](const QString& text) { statusBar()->showMessage(text, 6000); });
+  connect(kept_, &KeptProbes::changed, this, [this] { view_->setMarks(marksOf(*kept_)); });
   connect(view_, &SceneView::frameDrawn, this, &MainWindow::afterFrame);
   connect(view_, &SceneView::cameraMoved, this, [this](const Camera& camera) {
     controller_.edit(

@@ -19,6 +19,8 @@ namespace umbra {
 class CentrePane;
 class ControlPane;
 class EvidencePanes;
+class KeptProbes;
+class KeptProbesPane;
 class LessonController;
 class LessonPane;
 class PlotPane;
@@ -42,6 +44,8 @@ class MainWindow : public QMainWindow {
   EvidencePanes& evidence() { return *evidence_; }
   ControlPane& controls() { return *controls_; }
   CentrePane& centre() { return *centre_; }
+  KeptProbes& keptProbes() { return *kept_; }
+  KeptProbesPane& keptProbesPane() { return *keptPane_; }
   LessonController& lessons() { return *lessons_; }
   LessonPane& lessonPane() { return *lessonPane_; }
   const std::vector<QDockWidget*>& docks() const { return docks_; }
@@ -117,6 +121,7 @@ class MainWindow : public QMainWindow {
   void askToSaveSession();
   void askToSavePicture();
   void askToSaveTable();
+  void askToSaveKeptProbes();
   std::optional<std::filesystem::path> askWhere(const QString& title, const QString& name,
                                                 const QString& filter);
   void attempt(const std::function<void()>& work);
@@ -127,6 +132,8 @@ class MainWindow : public QMainWindow {
   EvidencePanes* evidence_;
   ControlPane* controls_;
   CentrePane* centre_;
+  KeptProbes* kept_;
+  KeptProbesPane* keptPane_;
   LessonController* lessons_;
   LessonPane* lessonPane_ = nullptr;
   SurfaceExport* surfaces_ = nullptr;

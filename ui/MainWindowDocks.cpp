@@ -9,6 +9,7 @@
 #include "ui/DockGrip.h"
 #include "ui/EvidencePanes.h"
 #include "ui/ExplainPane.h"
+#include "ui/KeptProbesPane.h"
 #include "ui/LayersController.h"
 #include "ui/LayersPane.h"
 #include "ui/MainWindow.h"
@@ -65,6 +66,8 @@ void MainWindow::makeDocks() {
   tabifyDockWidget(docks_[3], docks_[5]);
   addDock(tr("Why is it lit?"), "traceDock", &evidence_->trace(), Qt::BottomDockWidgetArea);
   tabifyDockWidget(docks_[1], docks_.back());
+  addDock(tr("Probes"), "probesDock", keptPane_, Qt::BottomDockWidgetArea);
+  tabifyDockWidget(docks_[1], docks_.back());
   addDock(tr("Layers"), "layersDock", makeLayersPane(*this), Qt::RightDockWidgetArea);
   tabifyDockWidget(docks_[3], docks_.back());
   auto* explain = new ExplainPane(controller_, *prober_);
@@ -94,7 +97,7 @@ void MainWindow::resetLayout() {
               *map = dockOf("mapDock"), *curves = dockOf("curvesDock"),
               *histogram = dockOf("histogramDock"), *cdf = dockOf("cdfDock"),
               *trace = dockOf("traceDock"), *layers = dockOf("layersDock"),
-              *explain = dockOf("explainDock");
+              *explain = dockOf("explainDock"), *probes = dockOf("probesDock");
   for (QDockWidget* dock : docks_) dock->setFloating(false);
   for (QDockWidget* dock : docks_) removeDockWidget(dock);
   addDockWidget(Qt::LeftDockWidgetArea, controls);
@@ -110,6 +113,7 @@ void MainWindow::resetLayout() {
   tabifyDockWidget(cdf, layers);
   tabifyDockWidget(layers, explain);
   tabifyDockWidget(table, trace);
+  tabifyDockWidget(trace, probes);
   for (QDockWidget* dock : docks_) dock->show();
   (tall ? histogram : curves)->raise();
   table->raise();

@@ -14,6 +14,7 @@
 #include "ui/CentrePane.h"
 #include "ui/ComparisonPanes.h"
 #include "ui/EvidencePanes.h"
+#include "ui/KeptProbesPane.h"
 #include "ui/MainWindow.h"
 #include "ui/SceneView.h"
 #include "ui/widgets/ProbeTable.h"
@@ -114,6 +115,16 @@ void MainWindow::askToSaveTable() {
   if (!file) return;
   attempt([&] {
     writeTextAtomically(*file, evidence_->table().asText().toStdString());
+    statusBar()->showMessage(tr("Wrote %1").arg(toText(*file)), 6000);
+  });
+}
+
+void MainWindow::askToSaveKeptProbes() {
+  const auto file =
+      askWhere(tr("Export kept probes"), "probes.csv", tr("Comma-separated values (*.csv)"));
+  if (!file) return;
+  attempt([&] {
+    writeTextAtomically(*file, keptPane_->asText(',').toStdString());
     statusBar()->showMessage(tr("Wrote %1").arg(toText(*file)), 6000);
   });
 }

@@ -12,6 +12,7 @@
 #include "datasets/SceneCatalogue.h"
 #include "ui/EvidencePanes.h"
 #include "ui/HelpDialogs.h"
+#include "ui/KeptProbes.h"
 #include "ui/LightForm.h"
 #include "ui/MainWindow.h"
 #include "ui/Prober.h"
@@ -93,6 +94,7 @@ QMenu* MainWindow::makeExportMenu() {
   addAction(*menu, tr("Depths plot …"), {}, [this] { evidence_->histogram().saveAs(); });
   addAction(*menu, tr("Distribution plot …"), {}, [this] { evidence_->cdf().saveAs(); });
   addAction(*menu, tr("Table of techniques …"), {}, [this] { askToSaveTable(); });
+  addAction(*menu, tr("Table of kept probes …"), {}, [this] { askToSaveKeptProbes(); });
   menu->addSeparator();
   addAction(*menu, tr("Session …"), {}, [this] { askToSaveSession(); });
   return menu;
@@ -173,6 +175,7 @@ void MainWindow::makeProbeMenu() {
   addAction(*menu, tr("&Let go"), QKeySequence(Qt::Key_Escape), [this] { prober_->unpin(); });
   addAction(*menu, tr("Go to the &worst light bleeding"), QKeySequence("B"),
             [this] { prober_->pinWorstBleeding(); });
+  addAction(*menu, tr("&Keep this probe"), QKeySequence("K"), [this] { kept_->keep(); });
   addAction(*menu, tr("Back to the &surface's own depth"), QKeySequence("R"), [this] {
     controller_.edit(tr("Reset receiver depth"),
                      [](Session& session) { session.receiver.reset(); });
@@ -193,7 +196,7 @@ void MainWindow::makeHelpMenu() {
   addAction(*menu, tr("&Keyboard and mouse"), {}, [this] {
     std::vector<std::pair<QString, QString>> keys{
         {tr("Probe the point under the pointer"), tr("move")},
-        {tr("Keep the point"), tr("click")},
+        {tr("Hold the probe at a point"), tr("click")},
         {tr("Turn the camera"), tr("left drag")},
         {tr("Move the camera"), tr("middle drag, Shift + left drag")},
         {tr("Nearer, farther"), tr("wheel, right drag")},

@@ -1,6 +1,5 @@
 #include "ui/Prober.h"
 
-#include <algorithm>
 #include <cmath>
 #include <exception>
 
@@ -24,7 +23,7 @@ Pixel scaledPixel(const Pixel& pixel, const Session& session, const QSize& to) {
 }  // namespace
 
 Prober::Prober(SessionController& controller, SceneView& view, QObject* parent)
-    : QObject(parent), controller_(controller), view_(view) {
+    : QObject(parent), controller_(controller), view_(view), taker_(controller, view) {
   connect(&view_, &SceneView::frameDrawn, this, &Prober::refresh);
   connect(&view_, &SceneView::hovered, this, &Prober::hover);
   connect(&view_, &SceneView::clicked, this, &Prober::pin);
@@ -32,22 +31,36 @@ Prober::Prober(SessionController& controller, SceneView& view, QObject* parent)
 }
 
 void Prober::sessionChanged(const Document& before, const Document& after) {
-  const Session &old = before.session, &now = after.session;
-  if (!(before.content == after.content) || old.technique != now.technique ||
-      !(old.parameters == now.parameters) || old.frame.map.format != now.frame.map.format)
-    adaptedTo_ = -1;
-  if (!(before.session.probe == after.session.probe)) {
-    pinnedPoint_.reset();
-    if (after.session.probe) lastSeen_.reset();
-  }
+  taker_.sessionChanged(before, after);
+  const bool moved = !(before.session.probe == after.session.probe);
+  const NamedProbe* kept = keptProbe();
+  if (kept && kept->point && !(held_ && held_->point() == *kept->point))
+    holdPoint(kept->point);
+  else if (moved && !kept && after.session.probe)
+    held_.reset();
   if (!(before.content == after.content)) {
     hover_.reset();
-    pinnedPoint_.reset();
-    lastSeen_.reset();
+    held_.reset();
     report_.reset();
     emit reported();
   }
   if (after.content.depth) refresh();  // a scene is probed after the frame that follows
+}
+
+// That the session's probe is at; null where it is at none.
+const NamedProbe* Prober::keptProbe() const {
+  const Session& session = controller_.session();
+  return session.probe ? probeNamed(session.probes, session.keptProbe) : nullptr;
+}
+
+void Prober::holdPoint(const std::optional<Eigen::Vector3d>& point) {
+  held_.reset();
+  if (point) held_.emplace(*point);
+}
+
+std::optional<Eigen::Vector3d> Prober::pinnedPoint() const {
+  if (!controller_.session().probe || !held_) return std::nullopt;
+  return held_->point();
 }
 
 void Prober::setVeil(const QString& reason) {
@@ -73,6 +86,7 @@ void Prober::pin(const Pixel& pixel) {
   const QSize size = view_.pixels();
   controller_.edit(tr("Pin probe"), [&](Session& session) {
     session.probe = pixel;
+    session.keptProbe.clear();
     if (!onScene) return;
     session.width = size.width();
     session.height = size.height();
@@ -85,6 +99,7 @@ void Prober::unpin() {
   hover_.reset();
   controller_.edit(tr("Unpin probe"), [](Session& session) {
     session.probe.reset();
+    session.keptProbe.clear();
     session.receiver.reset();
   });
   refresh();
@@ -99,6 +114,7 @@ void Prober::pinWorstBleeding() {
     const QSize size = view_.pixels();
     controller_.amend([&](Session& session) {
       session.probe = Pixel{worst->x, worst->y};
+      session.keptProbe.clear();
       session.width = size.width();
       session.height = size.height();
     });
@@ -120,171 +136,38 @@ void Prober::refresh() {
 }
 
 std::optional<ProbeReport> Prober::take() {
-  return controller_.document().content.depth ? takeOnDepthFile() : takeOnScene();
-}
-
-// Keeps a pinned probe on its point of the surface while the camera moves.
-std::optional<Pixel> Prober::pinnedPixel() {
   const Session& session = controller_.session();
-  if (pinnedPoint_) return view_.pixelOf(*pinnedPoint_);
-  return scaledPixel(*session.probe, session, view_.pixels());
-}
-
-std::optional<ProbeReport> Prober::takeOnScene() {
-  if (!view_.lastFrame() || (!controller_.session().probe && !hover_)) return std::nullopt;
-  if (const auto place = visiblePlace()) {
-    lastSeen_ = place;
-    return probeAt(*place);
-  }
-  // What was last in sight stays to be read, with what is now set: the map is there to be read.
-  const auto place = hiddenPlace();
-  return place ? std::optional(probeAt(*place)) : std::nullopt;
-}
-
-std::optional<Prober::Place> Prober::visiblePlace() {
-  const bool pinned = controller_.session().probe.has_value();
-  const std::optional<Pixel> pixel = pinned ? pinnedPixel() : hover_;
-  const auto surface = pixel ? view_.surfaceAt(*pixel) : std::nullopt;
-  if (!surface || surface->u < 0.0 || surface->u > 1.0 || surface->v < 0.0 || surface->v > 1.0)
-    return std::nullopt;
-  if (pinned && pinnedPoint_ && lastSeen_ &&
-      (surface->world - *pinnedPoint_).norm() > 0.05 * (1.0 + pinnedPoint_->norm()))
-    return std::nullopt;  // something stands in front of the point now
-  if (pinned && !pinnedPoint_) pinnedPoint_ = surface->world;
-  return Place{*pixel,
-               *surface,
-               view_.surfacePlane(*pixel, *surface),
-               view_.lastFrame()->lightFrame().project(surface->world).z,
-               view_.mapRevision(),
-               true,
-               controller_.session().frame.read.filter};
-}
-
-std::optional<Prober::Place> Prober::hiddenPlace() {
-  if (!lastSeen_) return std::nullopt;
-  Place place = *lastSeen_;
-  place.inSight = false;
-  const FrameSettings& frame = controller_.session().frame;
-  if (frame.read.filter == ReadFilter::SummedArea) {
-    const double least = 2.0 * frame.kernel.effectiveRadius() + 1.0;
-    Footprint& box = place.surface.footprint;
-    if (place.filter != frame.read.filter) box = {};
-    box.x = std::max(box.x, least);
-    box.y = std::max(box.y, least);
-  } else if (place.filter != frame.read.filter && frame.read.filter > ReadFilter::Bilinear) {
-    return std::nullopt;  // nobody knows what the hidden pixel would cover
-  }
-  if (place.map == view_.mapRevision()) return place;
-  // The light has moved: the point is elsewhere in its map, as far in front of itself as before.
-  const LightPoint point = view_.lastFrame()->lightFrame().project(place.surface.world);
-  if (!point.inside) return std::nullopt;
-  const std::vector<Cascade>& cascades = view_.lastFrame()->cascades();
-  SurfacePoint& surface = place.surface;
-  surface.nextCascade = 0.0;
-  surface.receiver = std::clamp(point.z + surface.receiver - place.depth, 0.0, 1.0);
-  // Windows move with the camera: a coarser one may hold it now.
-  surface.cascade = std::min(surface.cascade, int(cascades.size()) - 1);
-  for (; surface.cascade < int(cascades.size()); ++surface.cascade) {
-    surface.u = cascades[surface.cascade].u(point.u);
-    surface.v = cascades[surface.cascade].v(point.v);
-    if (surface.u >= 0.0 && surface.u <= 1.0 && surface.v >= 0.0 && surface.v <= 1.0) return place;
-  }
-  return std::nullopt;
-}
-
-ProbeReport Prober::probeAt(const Place& place) {
-  ShadowRenderer& frame = *view_.lastFrame();
-  const Session& session = controller_.session();
-  const SurfacePoint& surface = place.surface;
-  const std::vector<Cascade>& cascades = frame.cascades();
-  ProbeRequest request =
-      requestOn(frame.depthMap(surface.cascade),
-                {session.frame.read.filter, surface.u, surface.v, surface.footprint},
-                session.receiver.value_or(surface.receiver));
-  request.cascade = surface.cascade;
-  if (surface.nextCascade > 0.0) {
-    const int next = surface.cascade + 1;
-    request.seam.emplace(SeamPart{
-        frame.depthMap(next),
-        readInCascade(request.read, cascades[surface.cascade], cascades[next], request.kernel),
-        surface.nextCascade});
-  }
-  ProbeReport report = probe(std::move(request), frame.depthMap(0), view_.firstMapRevision());
-  report.cascade = surface.cascade;
-  report.pixel = place.pixel;
-  report.pinned = session.probe.has_value();
-  report.facesLight = surface.facesLight;
-  report.receiverByHand = session.receiver.has_value();
-  report.point = surface.world;
-  report.footprint = footprintOf(ownRegion(report.probe), session.frame.map.size, surface.receiver,
-                                 cascades[surface.cascade].frame, place.plane);
-  if (session.receiver || !place.inSight) return report;  // the frame shows no such visibility
-  for (TechniqueResult& result : report.probe.techniques)
-    if (result.technique->info().id == session.technique) result.gpu = surface.visibility;
+  const std::optional<Pixel> at = session.probe ? session.probe : hover_;
+  if (!at) return std::nullopt;
+  std::optional<ProbeReport> report;
+  if (controller_.document().content.depth)
+    report = taker_.at(*at, session.receiver);
+  else if (const auto place = currentPlace())
+    report = taker_.at(*place, session.receiver);
+  if (report) report->pinned = session.probe.has_value();
   return report;
 }
 
-std::optional<ProbeReport> Prober::takeOnDepthFile() {
+// A pinned probe stays on its point of the surface while the camera moves. What was last in sight
+// stays to be read, with what is now set: the map is there to be read.
+std::optional<SurfacePlace> Prober::currentPlace() {
+  if (!view_.lastFrame()) return std::nullopt;
   const Document& document = controller_.document();
-  const DepthMap& map = *document.content.depth;
-  const std::optional<Pixel> texel = document.session.probe ? document.session.probe : hover_;
-  if (!texel || texel->x < 0 || texel->y < 0 || texel->x >= map.width() || texel->y >= map.height())
-    return std::nullopt;
-  ProbeReport report = probe(requestOn(map, ReadPoint::atTexel(map, texel->x, texel->y),
-                                       document.session.receiver.value_or(0.5)),
-                             map, 0);
-  report.pixel = *texel;
-  report.pinned = document.session.probe.has_value();
-  return report;
-}
-
-// The picture's technique takes the picture's splits, so that both agree while they move.
-void Prober::adaptTechniques(const DepthMap& map, int revision) {
-  const ShadowRenderer* frame = view_.lastFrame();
-  std::vector<double> splits;
-  if (frame && controller_.document().content.scene) splits = frame->adaptedSplits();
-  const auto shown = [&](const Technique& technique) {
-    return !splits.empty() && technique.info().id == controller_.session().technique;
-  };
-  if (adaptedTo_ != revision) {
-    adapted_.clear();
-    for (const auto& technique : controller_.techniques()) {
-      std::shared_ptr<Technique> copy = technique->clone();
-      if (shown(*copy))
-        copy->setAdaptedSplits(splits);
-      else
-        copy->adapt(map);
-      adapted_.push_back(std::move(copy));
-    }
-  } else if (splits != splits_) {
-    for (auto& technique : adapted_) {
-      if (!shown(*technique)) continue;
-      std::shared_ptr<Technique> copy = technique->clone();
-      copy->setAdaptedSplits(splits);
-      technique = std::move(copy);
+  const Session& session = document.session;
+  const NamedProbe* kept = keptProbe();
+  if (!held_ && kept && kept->point) held_.emplace(*kept->point);
+  if (!session.probe || !held_) {
+    const Pixel pixel =
+        session.probe ? scaledPixel(*session.probe, session, view_.pixels()) : *hover_;
+    if (auto place = placeAt(view_, pixel)) {
+      held_.emplace(*place, view_, document);
+      return place;
     }
   }
-  adaptedTo_ = revision;
-  splits_ = std::move(splits);
-}
-
-ProbeRequest Prober::requestOn(const DepthMap& map, const ReadPoint& read, double receiver) const {
-  const FrameSettings& settings = controller_.session().frame;
-  return {.map = map,
-          .read = read,
-          .kernel = settings.kernel,
-          .format = settings.map.format,
-          .receiver = receiver,
-          .satPrecision = settings.read.satPrecision};
-}
-
-ProbeReport Prober::probe(ProbeRequest request, const DepthMap& first, int revision) {
-  adaptTechniques(first, revision);
-  request.techniques = adapted_;
-  ProbeReport report;
-  report.probe = takeProbe(request);
-  report.request = std::make_shared<const ProbeRequest>(std::move(request));
-  return report;
+  if (!held_) return std::nullopt;
+  const auto found = held_->find(view_, document);
+  const SurfacePlace* place = std::get_if<SurfacePlace>(&found);
+  return place ? std::optional(*place) : std::nullopt;
 }
 
 }  // namespace umbra

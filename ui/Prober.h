@@ -4,9 +4,9 @@
 #include <QObject>
 #include <optional>
 
-#include "filters/gpu/ShadowRenderer.h"
-#include "ui/Footprint.h"
+#include "ui/HeldPoint.h"
 #include "ui/ProbeReport.h"
+#include "ui/ProbeTaker.h"
 
 namespace umbra {
 
@@ -38,38 +38,22 @@ class Prober : public QObject {
   void refresh();
   // World; where the pinned probe is held. Given back, it is held there again, whatever size the
   // picture has by then.
-  const std::optional<Eigen::Vector3d>& pinnedPoint() const { return pinnedPoint_; }
-  void holdPoint(const std::optional<Eigen::Vector3d>& point) { pinnedPoint_ = point; }
+  std::optional<Eigen::Vector3d> pinnedPoint() const;
+  void holdPoint(const std::optional<Eigen::Vector3d>& point);
   // Pins the pixel of the last frame where light bleeds most; none where no light bleeds.
   void pinWorstBleeding();
+
+  // For other probes of the same frame.
+  ProbeTaker& taker() { return taker_; }
 
  signals:
   void reported();  // report() is new, or gone
   void failed(const QString& message);
 
  private:
-  // A point of a surface, as the frame showed it.
-  struct Place {
-    Pixel pixel;
-    SurfacePoint surface;
-    std::optional<Plane> plane;  // around it
-    double depth = 0.0;          // in the light's frame, without bias
-    int map = 0;                 // the revision of the map that it was read in
-    bool inSight = true;
-    ReadFilter filter = ReadFilter::Point;  // that the footprint is of
-  };
-
   std::optional<ProbeReport> take();
-  std::optional<ProbeReport> takeOnScene();
-  std::optional<ProbeReport> takeOnDepthFile();
-  std::optional<Place> visiblePlace();
-  std::optional<Place> hiddenPlace();
-  ProbeReport probeAt(const Place& place);
-  void adaptTechniques(const DepthMap& map, int revision);
-  ProbeRequest requestOn(const DepthMap& map, const ReadPoint& read, double receiver) const;
-  // `first` is the map of the first cascade, to which techniques are adapted.
-  ProbeReport probe(ProbeRequest request, const DepthMap& first, int revision);
-  std::optional<Pixel> pinnedPixel();
+  std::optional<SurfacePlace> currentPlace();
+  const NamedProbe* keptProbe() const;
   void sessionChanged(const Document& before, const Document& after);
 
   SessionController& controller_;
@@ -77,11 +61,8 @@ class Prober : public QObject {
   std::optional<ProbeReport> report_, hidden_;  // hidden_ is always empty
   QString veil_;
   std::optional<Pixel> hover_;
-  std::optional<Eigen::Vector3d> pinnedPoint_;             // world, once the frame has told it
-  std::optional<Place> lastSeen_;                          // where the probe was last in sight
-  std::vector<std::shared_ptr<const Technique>> adapted_;  // to the map of `adaptedTo_`
-  int adaptedTo_ = -1;
-  std::vector<double> splits_;  // that the picture's technique has in adapted_
+  std::optional<HeldPoint> held_;  // once the frame has told it; of a hover the last place
+  ProbeTaker taker_;
 };
 
 }  // namespace umbra

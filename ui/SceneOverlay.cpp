@@ -30,6 +30,11 @@ void drawOutlined(QPainter& painter, const QPainterPath& path, const QPen& pen) 
   painter.strokePath(path, pen);
 }
 
+QFont demiBold(QFont font) {
+  font.setWeight(QFont::DemiBold);
+  return font;
+}
+
 }  // namespace
 
 SceneOverlay::SceneOverlay(QWidget* parent) : QWidget(parent) {
@@ -61,6 +66,7 @@ void SceneOverlay::paintEvent(QPaintEvent*) {
   drawRay(painter);
   drawPatch(painter);
   drawSun(painter);
+  drawKept(painter);
   drawFigures(painter);
   drawHint(painter);
 }
@@ -149,13 +155,21 @@ void SceneOverlay::drawSun(QPainter& painter) const {
   painter.drawEllipse(*centre, radius, radius);
 }
 
-void SceneOverlay::drawFigures(QPainter& painter) const {
+void SceneOverlay::drawKept(QPainter& painter) const {
+  std::vector<QRectF> avoid;
+  if (const auto figures = figuresPlace()) avoid.push_back(*figures);
+  if (const auto sun = handle_.position())
+    avoid.emplace_back(*sun - QPointF(16.0, 16.0), QSizeF(32.0, 32.0));
+  drawMarks(painter, contents_.marks, contents_.projection, QRectF(rect()), avoid);
+}
+
+// The box beside the probe; none without a probe in the picture.
+std::optional<QRectF> SceneOverlay::figuresPlace() const {
   const auto& report = contents_.report;
-  if (!report || !report->point || contents_.heading.isEmpty()) return;
+  if (!report || !report->point || contents_.heading.isEmpty()) return std::nullopt;
   const auto point = contents_.projection.toWidget(*report->point);
-  if (!point || !QRectF(rect()).contains(*point)) return;
-  QFont bold = style::figures(font()), plain = bold;
-  bold.setWeight(QFont::DemiBold);
+  if (!point || !QRectF(rect()).contains(*point)) return std::nullopt;
+  const QFont plain = style::figures(font()), bold = demiBold(plain);
   const QFontMetricsF boldMetrics(bold), plainMetrics(plain);
   const double line = std::ceil(std::max(boldMetrics.height(), plainMetrics.height()));
   const QSizeF size(std::ceil(std::max(boldMetrics.horizontalAdvance(contents_.heading),
@@ -168,11 +182,17 @@ void SceneOverlay::drawFigures(QPainter& painter) const {
   if (corner.y() + size.height() > height() - 6.0) corner.setY(point->y() - 16.0 - size.height());
   corner.setX(std::max(corner.x(), 6.0));
   corner.setY(std::max(corner.y(), 6.0));
-  const QRectF frame(corner, size);
+  return QRectF(corner, size);
+}
+
+void SceneOverlay::drawFigures(QPainter& painter) const {
+  const auto frame = figuresPlace();
+  if (!frame) return;
+  const QFont plain = style::figures(font()), bold = demiBold(plain);
   painter.setPen(Qt::NoPen);
   painter.setBrush(box);
-  painter.drawRoundedRect(frame, 5.0, 5.0);
-  const QRectF inner = frame.adjusted(12.0, 8.0, -12.0, -8.0);
+  painter.drawRoundedRect(*frame, 5.0, 5.0);
+  const QRectF inner = frame->adjusted(12.0, 8.0, -12.0, -8.0);
   painter.setFont(bold);
   painter.setPen(boxText);
   painter.drawText(inner, Qt::AlignLeft | Qt::AlignTop, contents_.heading);

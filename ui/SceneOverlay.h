@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "ui/LightHandle.h"
+#include "ui/ProbeMarks.h"
 #include "ui/ProbeReport.h"
 #include "ui/SceneProjection.h"
 
@@ -22,9 +23,10 @@ class SceneOverlay : public QWidget {
     SceneProjection projection;
     Light light;
     std::optional<ProbeReport> report;
-    QString heading, verdict;  // the two lines beside the probe; empty leaves them out
-    bool wrong = false;        // the verdict is an error
-    QString hint;              // one sentence at the bottom; empty for none
+    QString heading, verdict;      // the two lines beside the probe; empty leaves them out
+    bool wrong = false;            // the verdict is an error
+    std::vector<ProbeMark> marks;  // of the kept probes
+    QString hint;                  // one sentence at the bottom; empty for none
     // Beneath all this, another picture from `curtainAt` (0 … 1) of the width on to the right, or
     // what is said in its place.
     QImage curtain;
@@ -44,7 +46,9 @@ class SceneOverlay : public QWidget {
   void drawRay(QPainter& painter) const;
   void drawPatch(QPainter& painter) const;
   void drawSun(QPainter& painter) const;
+  std::optional<QRectF> figuresPlace() const;
   void drawFigures(QPainter& painter) const;
+  void drawKept(QPainter& painter) const;
   void drawHint(QPainter& painter) const;
 
   Contents contents_;

@@ -132,6 +132,11 @@ void SceneView::setHint(const QString& hint) {
   refreshOverlay();
 }
 
+void SceneView::setMarks(std::vector<ProbeMark> marks) {
+  contents_.marks = std::move(marks);
+  refreshOverlay();
+}
+
 void SceneView::setCurtain(const QImage& picture, double at, const QString& instead) {
   contents_.curtain = picture;
   contents_.curtainAt = at;

@@ -31,6 +31,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void setReport(const std::optional<ProbeReport>& report, const QString& heading,
                  const QString& verdict, bool wrong);
   void setHint(const QString& hint);
+  void setMarks(std::vector<ProbeMark> marks);  // of the kept probes
   // Another picture over the right part of this one, from `at` of its width (0 … 1) on; `instead`
   // is said there where there is none. Both empty show this one alone.
   void setCurtain(const QImage& picture, double at, const QString& instead);

@@ -186,6 +186,8 @@ void SessionController::openSource(const SceneSource& source) {
   next.light.reset();
   next.camera.reset();
   next.probe.reset();
+  next.probes.clear();  // places of the source that was
+  next.keptProbe.clear();
   next.receiver.reset();
   open(next);
 }

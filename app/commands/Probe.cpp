@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "app/FrameReads.h"
+#include "app/NamedProbes.h"
 #include "app/ProbeFiles.h"
 #include "app/RayTracedFrame.h"
 #include "app/Reports.h"
@@ -24,14 +25,29 @@ struct ProbeCommand {
   void run() const;
   void probeDepthMap(Session session) const;
   void probePixel(const Session& session) const;
+  void probeKept(const Session& session, const std::vector<NamedProbe>& kept,
+                 const std::vector<std::shared_ptr<Technique>>& chosen, const Scene& scene,
+                 HeadlessFrame& frame, Display& display) const;
+  std::vector<NamedProbe> keptOnes(const Session& session) const;
   std::vector<std::shared_ptr<Technique>> techniques(const Session& session) const;
   bool rayTraced() const;
+  bool isTable() const { return named && *named == "all"; }
+  struct Taken {
+    ProbeRequest request;
+    Probe probe;
+    Json json;
+  };
+  Taken takeTexel(const Session& session, const DepthMap& map,
+                  const std::vector<std::shared_ptr<Technique>>& chosen, Pixel at,
+                  double depth) const;
+  Taken describe(SceneProbe probe, HeadlessFrame& frame, const Scene& scene, const Session& session,
+                 const std::vector<std::shared_ptr<Technique>>& chosen) const;
+  void finishTable(const Json& source, const std::vector<NamedResult>& results) const;
   // Writes or prints what was asked for.
-  void finish(const ProbeRequest& request, const Probe& probe, const Json& json,
-              const Session& session, Display* display) const;
+  void finish(const Taken& taken, const Session& session, Display* display) const;
 
   SessionOptions options;
-  std::optional<std::string> texel, pixel, receiver, bins, samples, folder, reference;
+  std::optional<std::string> texel, pixel, named, receiver, bins, samples, folder, reference;
   bool json = false, trace = false;
   TechniqueCatalogue catalogue = allTechniques();
 };
@@ -46,6 +62,7 @@ ProbeCommand::ProbeCommand(CLI::App& command) {
   add("--receiver", receiver, "Z", "Receiver's depth, 0 to 1; needed with --depth");
   add("--pixel", pixel, "X,Y|worst",
       "Of a scene: y down, from 0, or where vsm, or else the first bound, bleeds most");
+  add("--named", named, "NAME|all", "A probe that the session keeps, or all of them as one table");
   add("--bins", bins, "N", "Bins of the histogram (default 60)");
   add("--samples", samples, "N", "Also every technique's curve at N depths from 0 to 1");
   add("-o,--output", folder, "DIR", "Write probe.json and the plots as PNG, SVG, PDF and CSV");
@@ -83,15 +100,52 @@ void ProbeCommand::run() const {
   if (rayTraced() && trace)
     throw Error(ErrorKind::BadCommandLine,
                 "--trace: takes the error against pcf apart, leave --reference raytraced out");
+  if (named && (pixel || texel))
+    throw Error(ErrorKind::BadCommandLine, std::string(pixel ? "--pixel" : "--texel") +
+                                               ": excludes --named, give one of them");
   binsOf(bins);
   samplesOf(samples);
-  if (folder) checkWritable(std::filesystem::path(*folder) / "probe.json");
   Session session = options.session(catalogue);
   if (receiver) session.receiver = numberFrom(*receiver, "--receiver", {0.0, 1.0});
+  keptOnes(session);  // refuses a name that there is not before anything is loaded
+  if (folder)
+    checkWritable(std::filesystem::path(*folder) / (isTable() ? "probes.json" : "probe.json"));
   if (session.source.kind == SourceKind::DepthFile)
     probeDepthMap(session);
   else
     probePixel(session);
+}
+
+// What --named chooses; or the kept one that the session's probe is at, unless another is asked
+// for.
+std::vector<NamedProbe> ProbeCommand::keptOnes(const Session& session) const {
+  if (named) return chosenProbes(session, *named);
+  const NamedProbe* current = probeNamed(session.probes, session.keptProbe);
+  if (!current || pixel || texel) return {};
+  NamedProbe probe = *current;
+  probe.receiver = session.receiver;
+  return {probe};
+}
+
+ProbeCommand::Taken ProbeCommand::takeTexel(const Session& session, const DepthMap& map,
+                                            const std::vector<std::shared_ptr<Technique>>& chosen,
+                                            Pixel at, double depth) const {
+  Taken taken{{.map = map,
+               .read = ReadPoint::atTexel(map, at.x, at.y),
+               .kernel = session.frame.kernel,
+               .format = session.frame.map.format,
+               .receiver = depth},
+              {},
+              {}};
+  for (const auto& technique : chosen) {
+    technique->adapt(map);
+    taken.request.techniques.push_back(technique);
+  }
+  taken.probe = takeProbe(taken.request);
+  taken.json = probeToJson(taken.probe, map,
+                           {shortNameOf(session.source), binsOf(bins), samplesOf(samples)});
+  if (trace) addTraces(taken.json, taken.probe);
+  return taken;
 }
 
 void ProbeCommand::probeDepthMap(Session session) const {
@@ -103,72 +157,120 @@ void ProbeCommand::probeDepthMap(Session session) const {
         ErrorKind::BadCommandLine,
         "--reference: a depth map has no surfaces that rays could meet; raytraced goes with "
         "a scene");
+  std::vector<NamedProbe> places = keptOnes(session);
   if (texel) session.probe = pixelFrom(*texel, "--texel");
-  if (!session.probe)
+  if (places.empty() && !session.probe)
     throw Error(ErrorKind::BadCommandLine, "--texel: is missing, give --texel X,Y");
-  if (!session.receiver)
+  if (places.empty() && !session.receiver)
     throw Error(ErrorKind::BadCommandLine, "--receiver: is missing, give --receiver Z");
+  if (places.empty()) places.push_back({"", {}, session.probe, session.receiver});
   if (!options.namesFormat() && !options.namesSession())
     session.frame.map.format = StorageFormat::Double;
   session.frame.read.filter = ReadFilter::Point;  // of the texel
   const auto chosen = techniques(session);
   const DepthMap map = loadDepthMap(session.source);
-  const auto [x, y] = *session.probe;
-  if (x >= map.width() || y >= map.height())
-    throw Error(ErrorKind::BadCommandLine,
-                "--texel: " + std::to_string(x) + "," + std::to_string(y) +
-                    " is outside the map of " + std::to_string(map.width()) + "x" +
-                    std::to_string(map.height()) + " texels, which count from 0");
-  ProbeRequest request{.map = map,
-                       .read = ReadPoint::atTexel(map, x, y),
-                       .kernel = session.frame.kernel,
-                       .format = session.frame.map.format,
-                       .receiver = *session.receiver};
-  for (const auto& technique : chosen) {
-    technique->adapt(map);
-    request.techniques.push_back(technique);
+  std::vector<NamedResult> results;
+  for (const NamedProbe& place : places) {
+    const auto [x, y] = *place.texel;
+    NamedResult& result = results.emplace_back(NamedResult{place, {}, {}, {}});
+    if (x >= map.width() || y >= map.height()) {
+      result.reason = std::to_string(x) + "," + std::to_string(y) + " is outside the map of " +
+                      std::to_string(map.width()) + "x" + std::to_string(map.height()) +
+                      " texels, which count from 0";
+      if (!isTable())
+        throw Error(ErrorKind::BadCommandLine, (named ? "--named: " : "--texel: ") + result.reason);
+      continue;
+    }
+    const double depth =
+        receiver ? *session.receiver : place.receiver.value_or(NamedProbe::depthOnFile);
+    Taken taken = takeTexel(session, map, chosen, *place.texel, depth);
+    if (named) taken.json["name"] = place.name;
+    if (!isTable()) return finish(taken, session, nullptr);
+    result.probe = std::move(taken.probe);
+    result.json = std::move(taken.json);
   }
-  const Probe probe = takeProbe(request);
-  Json object =
-      probeToJson(probe, map, {shortNameOf(session.source), binsOf(bins), samplesOf(samples)});
-  if (trace) addTraces(object, probe);
-  finish(request, probe, object, session, nullptr);
+  finishTable(sourceToJson(shortNameOf(session.source), map), results);
 }
 
 void ProbeCommand::probePixel(const Session& session) const {
   if (texel)
     throw Error(ErrorKind::BadCommandLine, "--texel: goes with --depth, a scene takes --pixel X,Y");
-  if (!pixel && !session.probe)
+  const std::vector<NamedProbe> kept = keptOnes(session);
+  if (kept.empty() && !pixel && !session.probe)
     throw Error(ErrorKind::BadCommandLine,
                 "--pixel: is missing, give --pixel X,Y or --pixel worst");
   std::optional<Pixel> place = session.probe;
   if (pixel) place = *pixel == "worst" ? std::nullopt : std::optional(pixelFrom(*pixel, "--pixel"));
   checkGpuFormat(session);
   const auto chosen = techniques(session);
-  const std::string name = shortNameOf(session.source);
   const auto scene = std::make_shared<const Scene>(loadScene(session.source));
   const std::unique_ptr<Display> display = loadDisplay();
   const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
+  if (!kept.empty()) return probeKept(session, kept, chosen, *scene, *frame, *display);
   if (!place) place = worstBleeding(*frame, *suspectOf(chosen));
-  SceneProbe probe = probeScene(*frame, session, chosen, *place);
+  const Taken taken =
+      describe(probeScene(*frame, session, chosen, *place), *frame, *scene, session, chosen);
+  finish(taken, session, display.get());
+}
+
+void ProbeCommand::probeKept(const Session& session, const std::vector<NamedProbe>& kept,
+                             const std::vector<std::shared_ptr<Technique>>& chosen,
+                             const Scene& scene, HeadlessFrame& frame, Display& display) const {
+  const auto byHand = receiver ? session.receiver : std::optional<double>();
+  auto probes = umbra::probeKept(frame, scene, session, chosen, kept, byHand);
+  std::vector<NamedResult> results;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    NamedResult& result = results.emplace_back(NamedResult{kept[i], {}, {}, probes[i].reason});
+    if (!probes[i].probe) {
+      if (isTable()) continue;
+      throw Error(ErrorKind::WorkFailed, kept[i].name + ": " + probes[i].reason +
+                                             "; move camera or light, or choose another filter");
+    }
+    Taken taken = describe(std::move(*probes[i].probe), frame, scene, session, chosen);
+    if (named) taken.json["name"] = kept[i].name;
+    if (!isTable()) return finish(taken, session, &display);
+    result.probe = std::move(taken.probe);
+    result.json = std::move(taken.json);
+  }
+  finishTable(sourceToJson(shortNameOf(session.source), frame.depthMap()), results);
+}
+
+// With what was asked for beside the probe.
+ProbeCommand::Taken ProbeCommand::describe(
+    SceneProbe probe, HeadlessFrame& frame, const Scene& scene, const Session& session,
+    const std::vector<std::shared_ptr<Technique>>& chosen) const {
   // A report for people says it only where it was asked for.
   std::optional<double> rays;
   if (rayTraced() || json || folder)
-    rays = rayTracedVisibility(*frame, *scene, session.frame, probe.probe);
-  Json object = sceneProbeToJson(probe, frame->depthMap(), name, session.frame.read.filter,
-                                 binsOf(bins), samplesOf(samples));
+    rays = rayTracedVisibility(frame, scene, session.frame, probe.probe);
+  Json object = sceneProbeToJson(probe, frame.depthMap(), shortNameOf(session.source),
+                                 session.frame.read.filter, binsOf(bins), samplesOf(samples));
   if (rays) addRayTraced(object, *rays, rayTraced());
   if (rayTraced())
     for (TechniqueResult& result : probe.probe.techniques) result.error = result.visibility - *rays;
   if (trace) addTraces(object, probe.probe);
-  ProbeRequest request = requestAt(*frame, session.frame, probe.surface);
+  ProbeRequest request = requestAt(frame, session.frame, probe.surface);
   request.receiver = probe.probe.receiver;
   request.techniques.assign(chosen.begin(), chosen.end());
-  finish(request, probe.probe, object, session, display.get());
+  return {std::move(request), std::move(probe.probe), std::move(object)};
 }
 
-void ProbeCommand::finish(const ProbeRequest& request, const Probe& probe, const Json& object,
-                          const Session& session, Display* display) const {
+void ProbeCommand::finishTable(const Json& source, const std::vector<NamedResult>& results) const {
+  const Json object = namedToJson(source, results);
+  if (json) return printJson(object);
+  if (!folder) {
+    print(namedText(results));
+    for (const NamedResult& result : results)
+      if (trace && result.probe) print("\n" + result.kept.name + "\n" + tracesText(*result.probe));
+    return;
+  }
+  OutputFolder files(*folder);
+  writeNamed(files, object, results);
+  files.finish();
+}
+
+void ProbeCommand::finish(const Taken& taken, const Session& session, Display* display) const {
+  const auto& [request, probe, object] = taken;
   if (json) return printJson(object);
   if (!folder && rayTraced())
     print("ray traced " + shortNumber(object["raytraced"].get<double>()) +

@@ -171,6 +171,10 @@ void SessionOptions::editSource(Session& session) const {
     std::tie(session.source.depthNear, session.source.depthFar) =
         depthRangeFrom(*depthRange_, "--depth-range");
   }
+  if (scene_ || depth_) {  // places of the source that was
+    session.probes.clear();
+    session.keptProbe.clear();
+  }
   for (const std::string& setting : sceneSettings_) adjustScene(session.source, setting);
 }
 

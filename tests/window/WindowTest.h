@@ -26,6 +26,12 @@ class WindowTest : public QObject {
   void hoveringProbesAndLeavingKeepsTheProbe();
   void aPinnedProbeStaysOnItsPoint();
   void aHiddenProbeFollowsTheParameters();
+  void keptProbesStayOnTheirPoints();
+  void aKeptProbeIsGoneToRenamedAndDeleted();
+  void keptProbesAreSavedAndOpenedAgain();
+  void aKeptProbeOutOfSightIsGoneTo();
+  void keptTexelsAreOfTheirFile();
+  void keptFiguresHideBehindAVeil();
   void aParameterChangeIsUndoneAndRedone();
   void theSmallestReductionOfTheRegionIsSetAndPriced();
   void theSmallestReductionOfThePictureDarkensEveryUmbra();
@@ -75,6 +81,8 @@ class WindowTest : public QObject {
              Qt::MouseButtons buttons);
   // Settles, and waits until the pictures beside the view have followed it.
   void settlePanes();
+  // Settles, and waits until every kept probe has been read.
+  void settleKept();
   void click(const Pixel& pixel);
   void key(int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
   QPointF pointOf(const Pixel& pixel);

@@ -1,0 +1,224 @@
+#include "analysis/SurfaceRead.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "filters/core/MipLevels.h"
+
+namespace umbra {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double largestSlopeBias = 0.1;  // of the depth range; as the shading pass limits it
+constexpr double nearest = 1e-6;          // cosines and distances below count as none
+
+struct CameraAxes {
+  Vector3d right, up, forward;
+  double scale;  // pixels per unit of slope
+};
+
+CameraAxes axesOf(const PictureView& view) {
+  const Camera& camera = view.camera;
+  const Vector3d forward = (camera.target - camera.position).normalized();
+  const Vector3d right = forward.cross(camera.up).normalized();
+  const double angle = camera.viewAngle * std::numbers::pi / 180.0;
+  return {right, right.cross(forward), forward, 0.5 * view.height / std::tan(0.5 * angle)};
+}
+
+// How much deeper, in normalised depth, the plane through `point` lies one texel of the whole
+// light's map further along either axis; absolute values.
+Vector2d depthPerTexel(const Vector3d& point, const Vector3d& normal, const LightFrame& light,
+                       int mapSize) {
+  const Vector3d p = (light.worldToLight * point.homogeneous()).head<3>();
+  const Vector3d n = light.worldToLight.topLeftCorner<3, 3>() * normal;
+  const double perDistance = 1.0 / (light.farDistance - light.nearDistance);
+  const Vector2d step(2.0 / (mapSize * std::abs(light.lightToClip(0, 0))),
+                      2.0 / (mapSize * std::abs(light.lightToClip(1, 1))));
+  if (light.kind == LightKind::Directional)
+    return (n.head<2>() / n.z()).cwiseAbs().cwiseProduct(step) * perDistance;
+  // Distance along the ray q = (x, y, −1) is |q| (n·p) / (n·q): differentiated by x and y.
+  const Vector3d q = p / -p.z();
+  const double along = n.dot(q), ray = q.norm();
+  const Vector2d gradient =
+      n.dot(p) * (q.head<2>() / (ray * along) - ray * n.head<2>() / (along * along));
+  return gradient.cwiseAbs().cwiseProduct(step) * perDistance;
+}
+
+struct CascadePlace {
+  int cascade = 0;
+  double next = 0.0;
+};
+
+std::optional<CascadePlace> cascadeOf(const Vector3d& point, const LightPoint& light,
+                                      const FrameView& frame) {
+  const std::vector<Cascade>& cascades = frame.cascades;
+  const CascadeSettings& settings = frame.settings.map.cascades;
+  const auto holds = [&](const Cascade& cascade) {
+    const double u = cascade.u(light.u), v = cascade.v(light.v);
+    return u >= 0.0 && u <= 1.0 && v >= 0.0 && v <= 1.0;
+  };
+  const int last = int(cascades.size()) - 1;
+  const Camera& camera = settings.frozen ? *settings.frozen : frame.picture.camera;
+  const double distance =
+      (camera.target - camera.position).normalized().dot(point - camera.position);
+  for (int i = 0; i < last; ++i) {
+    if (distance >= cascades[i].farDistance || !holds(cascades[i])) continue;
+    const double begin = cascades[i].seamDistance(settings.seam);
+    const double seam = std::max(cascades[i].farDistance - begin, 1e-20);
+    const double weight = std::clamp((distance - begin) / seam, 0.0, 0.999999);
+    return CascadePlace{i, holds(cascades[i + 1]) ? weight : 0.0};
+  }
+  if (!holds(cascades[last])) return std::nullopt;
+  return CascadePlace{last, 0.0};
+}
+
+// By how much the position on the map, in texels of `cascade`, moves from a pixel to the next along
+// x and along y of the picture. None where the camera does not look at the point.
+std::optional<std::pair<Vector2d, Vector2d>> stepsOnMap(const Vector3d& point,
+                                                        const Vector3d& normal,
+                                                        const FrameView& frame,
+                                                        const Cascade& cascade) {
+  const auto centre = frame.picture.pixelOf(point);
+  if (!centre) return std::nullopt;
+  const Vector3d eye = frame.picture.camera.position;
+  const auto place = [&](double dx, double dy) {
+    const Vector3d ray = frame.picture.rayThrough(*centre + Vector2d(dx, dy));
+    const double t = normal.dot(point - eye) / normal.dot(ray);
+    const LightPoint at = frame.light.project(eye + t * ray);
+    // Behind the camera the plane has no end there: wider than any map.
+    if (!(t > 0.0)) return Vector2d(Vector2d::Constant(std::numeric_limits<double>::infinity()));
+    return Vector2d(Vector2d(at.u, at.v) * (frame.settings.map.size / cascade.side));
+  };
+  return std::pair<Vector2d, Vector2d>{place(0.5, 0.0) - place(-0.5, 0.0),
+                                       place(0.0, 0.5) - place(0.0, -0.5)};
+}
+
+// What a trilinear or anisotropic read covers: the longer axis and the probes along it.
+Footprint axisOf(const Vector2d& dx, const Vector2d& dy, const FrameSettings& settings) {
+  const double longest = settings.map.size;
+  Vector2d axis = dx.norm() > dy.norm() ? dx : dy;
+  double longer = axis.norm(), shorter = std::min(dx.norm(), dy.norm());
+  if (!(longer < longest)) {
+    axis = {longest, 0.0};
+    longer = shorter = longest;
+  }
+  const double most =
+      settings.read.filter == ReadFilter::Anisotropic ? settings.read.anisotropy : 1.0;
+  return {axis.x(), axis.y(),
+          int(std::clamp(std::ceil(longer / std::max(shorter, 1.0)), 1.0, most))};
+}
+
+// The box of a summed-area table, for a size that depends on the pixel or on the distance.
+Footprint boxOf(const Vector2d& dx, const Vector2d& dy, double distance, const FrameView& frame) {
+  const ReadSettings& read = frame.settings.read;
+  const double kernel = 2.0 * frame.settings.kernel.effectiveRadius() + 1.0;
+  const double largest = ReadSettings::largestSatWidth;
+  const auto limited = [&](double width) { return width < largest ? width : largest; };
+  if (read.satSize == SatSize::Footprint)
+    return {limited(std::max(std::abs(dx.x()) + std::abs(dy.x()), kernel)),
+            limited(std::max(std::abs(dx.y()) + std::abs(dy.y()), kernel))};
+  const double full = read.satDistance > 0.0 ? read.satDistance : frame.extent;
+  const bool grows = read.satSize == SatSize::Distance;
+  const double width = limited(grows ? kernel * std::max(full / distance, 1.0) : kernel);
+  return {width, width};
+}
+
+// From the read's position to the farthest centre of the texels that it averages, `finer` being the
+// side of a cascade's texel in those of the coarsest that is read.
+Vector2d reachOf(const ReadPoint& read, const FrameSettings& settings, double finer) {
+  const double kernel = settings.kernel.effectiveRadius();
+  const Vector2d size = finer * Vector2d(read.footprint.x, read.footprint.y);
+  switch (read.filter) {
+    case ReadFilter::Point:
+      return Vector2d::Constant(kernel + 0.5);
+    case ReadFilter::Bilinear:
+      return Vector2d::Constant(kernel + 1.0);
+    case ReadFilter::SummedArea:
+      return (0.5 * size.cwiseMax(2.0 * kernel + 1.0)).array() + 0.5;
+    case ReadFilter::Trilinear:
+    case ReadFilter::Anisotropic:
+      break;
+  }
+  ReadPoint coarse = read;
+  coarse.footprint = {size.x(), size.y(), read.footprint.probes};
+  int level = 0;
+  for (const LevelRead& each : levelReadsOf(coarse, settings.map.size, settings.map.size))
+    level = std::max(level, each.level);
+  const double probes = 0.5 - 0.5 / read.footprint.probes;
+  return (size.cwiseAbs() * probes).array() + kernel + 1.5 * std::ldexp(1.0, level) - 0.5;
+}
+
+}  // namespace
+
+std::optional<Vector2d> PictureView::pixelOf(const Vector3d& world) const {
+  const CameraAxes axes = axesOf(*this);
+  const Vector3d way = world - camera.position;
+  const double depth = axes.forward.dot(way);
+  if (depth < nearest * (1.0 + way.norm())) return std::nullopt;
+  return Vector2d(0.5 * width + axes.scale * axes.right.dot(way) / depth,
+                  0.5 * height - axes.scale * axes.up.dot(way) / depth);
+}
+
+Vector3d PictureView::rayThrough(const Vector2d& pixel) const {
+  const CameraAxes axes = axesOf(*this);
+  return axes.forward + axes.right * ((pixel.x() - 0.5 * width) / axes.scale) -
+         axes.up * ((pixel.y() - 0.5 * height) / axes.scale);
+}
+
+bool isSeenAt(const PictureView& picture, const Vector3d& point, const Vector3d& normal,
+              const Vector3d& shown) {
+  const Vector3d way = point - picture.camera.position;
+  const CameraAxes axes = axesOf(picture);
+  // A pixel's diagonal, at least twice as far as its centre can be from the point in it.
+  const double pixel = std::numbers::sqrt2 * std::abs(axes.forward.dot(way)) / axes.scale;
+  const double cosine = std::max(std::abs(normal.dot(way.normalized())), 0.01);
+  return (shown - point).norm() <= pixel / cosine + 1e-3 * way.norm();
+}
+
+std::variant<SurfaceRead, Unreadable> readOfSurface(const Vector3d& point, const Vector3d& normal,
+                                                    const FrameView& frame) {
+  const FrameSettings& settings = frame.settings;
+  const LightPoint light = frame.light.project(point);
+  const auto place = light.inside ? cascadeOf(point, light, frame) : std::nullopt;
+  if (!place) return Unreadable::OutsideMap;
+  const Cascade& own = frame.cascades[place->cascade];
+  SurfaceRead result;
+  result.cascade = place->cascade;
+  result.nextCascade = place->next;
+  result.read = {settings.read.filter, own.u(light.u), own.v(light.v), {}};
+
+  const ReadFilter filter = settings.read.filter;
+  const bool summed = filter == ReadFilter::SummedArea;
+  const bool byPixel = filter == ReadFilter::Trilinear || filter == ReadFilter::Anisotropic ||
+                       (summed && settings.read.satSize == SatSize::Footprint);
+  const auto steps = stepsOnMap(point, normal, frame, own);
+  if (byPixel && !steps) return Unreadable::NotInSight;
+  const auto [dx, dy] = steps.value_or(std::pair<Vector2d, Vector2d>{{0.0, 0.0}, {0.0, 0.0}});
+  if (summed)
+    result.read.footprint = boxOf(dx, dy, (point - frame.picture.camera.position).norm(), frame);
+  else if (byPixel)
+    result.read.footprint = axisOf(dx, dy, settings);
+
+  // In a seam the receiver is one for both cascades, with the bias of the coarser.
+  const double coarsest =
+      place->next > 0.0 ? std::max(own.side, frame.cascades[place->cascade + 1].side) : own.side;
+  Vector2d texels = Vector2d::Constant(settings.bias.slope);
+  if (settings.bias.receiverPlane) texels += reachOf(result.read, settings, own.side / coarsest);
+  const double slope =
+      coarsest * texels.dot(depthPerTexel(point, normal, frame.light, settings.map.size));
+  // Written so that an exactly edge-on plane ends at the limit too.
+  const double bias =
+      settings.bias.constant + (slope < largestSlopeBias ? slope : largestSlopeBias);
+  result.receiver = std::clamp(light.z - bias, 0.0, 1.0);
+  const Vector3d toLight = frame.light.kind == LightKind::Spot
+                               ? Vector3d(frame.light.position - point)
+                               : Vector3d(-frame.light.direction);
+  result.facesLight = normal.dot(toLight) > 0.0;
+  return result;
+}
+
+}  // namespace umbra

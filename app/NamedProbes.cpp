@@ -1,0 +1,81 @@
+#include "app/NamedProbes.h"
+
+#include "app/Table.h"
+#include "filters/core/AtomicFile.h"
+#include "filters/core/Error.h"
+#include "filters/core/Text.h"
+
+namespace umbra {
+namespace {
+
+SheetRow sheetRowOf(const NamedResult& result) {
+  SheetRow row{result.kept.name, {}, {}, result.reason};
+  if (const auto& point = result.kept.point) row.place = {point->x(), point->y(), point->z()};
+  if (const auto& texel = result.kept.texel) row.place = {double(texel->x), double(texel->y)};
+  if (result.probe) row.figures = figuresOf(*result.probe);
+  return row;
+}
+
+// All have the same.
+std::vector<std::string> techniquesOf(const std::vector<NamedResult>& results) {
+  std::vector<std::string> ids;
+  for (const NamedResult& result : results) {
+    if (!result.probe || !ids.empty()) continue;
+    for (const TechniqueResult& technique : result.probe->techniques)
+      ids.emplace_back(technique.technique->info().id);
+  }
+  return ids;
+}
+
+}  // namespace
+
+std::vector<NamedProbe> chosenProbes(const Session& session, const std::string& name) {
+  if (session.probes.empty())
+    throw Error(ErrorKind::BadCommandLine,
+                "--named: the session keeps no probes; give one that does with --session");
+  if (name == "all") return session.probes;
+  if (const NamedProbe* probe = probeNamed(session.probes, name)) return {*probe};
+  throw Error(ErrorKind::BadCommandLine, "--named: there is no probe '" + name + "'; there are " +
+                                             joined(namesOf(session.probes)) + ", and all");
+}
+
+Json namedToJson(const Json& source, const std::vector<NamedResult>& results) {
+  Json probes = Json::array();
+  for (const NamedResult& result : results) {
+    Json probe = {{"name", result.kept.name}};
+    if (!result.probe) probe["reason"] = result.reason;
+    for (const auto& [key, value] : result.json.items())
+      if (key != "format" && key != "source") probe[key] = value;
+    probes.push_back(std::move(probe));
+  }
+  return {{"format", "umbrascope-probes/1"}, {"source", source}, {"probes", probes}};
+}
+
+std::string namedText(const std::vector<NamedResult>& results) {
+  const std::vector<std::string> techniques = techniquesOf(results);
+  TableRow heading{"PROBE", "RECEIVER", "TRUTH"};
+  heading.insert(heading.end(), techniques.begin(), techniques.end());
+  std::vector<TableRow> rows{heading};
+  std::string reasons;
+  for (const NamedResult& result : results) {
+    TableRow& row = rows.emplace_back(TableRow{result.kept.name});
+    if (!result.probe) reasons += result.kept.name + ": " + result.reason + "\n";
+    const std::optional<SheetFigures> figures = sheetRowOf(result).figures;
+    row.push_back(figures ? shortNumber(figures->receiver) : "-");
+    row.push_back(figures ? shortNumber(figures->reference) : "-");
+    for (const std::string& id : techniques) {
+      const SheetFigures::Entry* entry = figures ? figures->of(id) : nullptr;
+      row.push_back(entry ? shortNumber(entry->visibility) : "-");
+    }
+  }
+  return tableText(rows) + (reasons.empty() ? "" : "\n" + reasons);
+}
+
+void writeNamed(OutputFolder& folder, const Json& object, const std::vector<NamedResult>& results) {
+  std::vector<SheetRow> rows;
+  for (const NamedResult& result : results) rows.push_back(sheetRowOf(result));
+  writeTextAtomically(folder.file("probes.json"), toText(object));
+  writeTextAtomically(folder.file("probes.csv"), sheetText(rows, techniquesOf(results), ','));
+}
+
+}  // namespace umbra

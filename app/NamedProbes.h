@@ -1,0 +1,36 @@
+// Kept probes on the command line: chosen by name, written as one table.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/ProbeSheet.h"
+#include "app/Output.h"
+#include "app/SceneProbe.h"
+#include "datasets/Session.h"
+
+namespace umbra {
+
+struct NamedResult {
+  NamedProbe kept;
+  std::optional<Probe> probe;
+  Json json;           // as of a single probe; null without one
+  std::string reason;  // why there is none
+};
+
+// The kept probe of that name, or every one for "all". Throws BadCommandLine that names the ones
+// that there are.
+std::vector<NamedProbe> chosenProbes(const Session& session, const std::string& name);
+
+// "umbrascope-probes/1": {"format", "source", "probes": [{"name", … a probe's fields}]}, with
+// "reason" in place of the fields where a probe cannot be read.
+Json namedToJson(const Json& source, const std::vector<NamedResult>& results);
+
+// A line for each probe: its truth, and each technique's visibility.
+std::string namedText(const std::vector<NamedResult>& results);
+
+// probes.json and probes.csv.
+void writeNamed(OutputFolder& folder, const Json& object, const std::vector<NamedResult>& results);
+
+}  // namespace umbra

@@ -1,0 +1,18 @@
+// The part of a session's file that holds the probes that are kept: see SessionFile.h.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "datasets/JsonObject.h"
+#include "datasets/Session.h"
+
+namespace umbra {
+
+nlohmann::ordered_json probesJson(const std::vector<NamedProbe>& probes);
+
+// The keys "probes" and "keptProbe" of `object`, a session whose source and probe are known. Throws
+// BadInput that names the key, with the probe's place from 1.
+void readProbes(JsonObject& object, Session& session);
+
+}  // namespace umbra

@@ -1,0 +1,248 @@
+// Probes that are kept under names: their table, their marks, their place in the session.
+#include <QAbstractItemModel>
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QTableView>
+#include <QTest>
+#include <QToolButton>
+#include <cmath>
+
+#include "datasets/DepthFile.h"
+#include "tests/window/WindowTest.h"
+#include "ui/CentrePane.h"
+#include "ui/KeptProbes.h"
+#include "ui/KeptProbesPane.h"
+#include "ui/Prober.h"
+#include "ui/SceneView.h"
+#include "ui/widgets/ShadowMapView.h"
+
+namespace umbra {
+namespace {
+
+QString cell(MainWindow& window, int row, int column) {
+  return window.keptProbesPane().view().model()->index(row, column).data().toString();
+}
+
+int columnOf(MainWindow& window, const char* title) {
+  const QAbstractItemModel& model = *window.keptProbesPane().view().model();
+  for (int column = 0; column < model.columnCount(); ++column)
+    if (model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString() == title)
+      return column;
+  return -1;
+}
+
+double errorAt(MainWindow& window, int row, const char* technique) {
+  return window.keptProbes().rows().at(std::size_t(row)).figures->of(technique)->error;
+}
+
+QPoint middleOf(QTableView& view, int row, int column) {
+  return view.visualRect(view.model()->index(row, column)).center();
+}
+
+Camera turnedAround(const Camera& camera) {
+  Camera turned = camera;
+  turned.target = 2.0 * camera.position - camera.target;
+  return turned;
+}
+
+}  // namespace
+
+void WindowTest::settleKept() {
+  settle();
+  QTRY_VERIFY_WITH_TIMEOUT(window_->keptProbes().upToDate(), 20000);
+}
+
+void WindowTest::keptProbesStayOnTheirPoints() {
+  MainWindow& window = open();
+  QVERIFY(window.keptProbesPane().keepButton().isEnabled());
+  const Eigen::Vector3d first = *window.prober().report()->point;
+  const double firstError = result("vsm").error;
+  key(Qt::Key_K);
+  QVERIFY(!window.keptProbesPane().keepButton().isEnabled());  // it is kept already
+  const QSize size = window.view().pixels();
+  click({size.width() / 2, size.height() * 4 / 5});
+  const double secondError = result("vsm").error;
+  key(Qt::Key_K);
+  settleKept();
+
+  const std::vector<NamedProbe>& probes = window.controller().session().probes;
+  QCOMPARE(int(probes.size()), 2);
+  QCOMPARE(*probes[0].point, first);
+  QCOMPARE(window.keptProbes().current(), 1);
+  // The table says what the probe's own panes say.
+  QCOMPARE(errorAt(window, 0, "vsm"), firstError);
+  QCOMPARE(errorAt(window, 1, "vsm"), secondError);
+  QCOMPARE(cell(window, 1, columnOf(window, "VSM")),
+           QString::number(result("vsm").visibility, 'f', 3));
+  QCOMPARE(cell(window, 1, columnOf(window, "Truth")),
+           QString::number(window.prober().report()->probe.reference, 'f', 3));
+
+  const Camera camera = window.controller().document().content.scene->camera;
+  emit window.view().cameraMoved(turnedAround(camera));
+  settleKept();
+  QCOMPARE(errorAt(window, 0, "vsm"), firstError);
+  QVERIFY(window.keptProbes().rows()[0].hidden);
+  QCOMPARE(*window.controller().session().probes[0].point, first);
+  // Both marks keep to their points, wherever these are seen: the current one is the probe's own.
+  QCOMPARE(int(window.view().overlayContents().marks.size()), 1);
+  QCOMPARE(window.view().overlayContents().marks[0].point, first);
+  QCOMPARE(window.view().overlayContents().marks[0].number, 1);
+
+  window.controller().edit(
+      "Reduce", [](Session& session) { session.parameters["vsm"]["bleed-reduction"] = 0.9; });
+  settleKept();
+  QVERIFY(errorAt(window, 0, "vsm") < firstError);
+}
+
+void WindowTest::aKeptProbeIsGoneToRenamedAndDeleted() {
+  MainWindow& window = open();
+  window.findChild<QDockWidget*>("probesDock")->raise();
+  settle();
+  const Eigen::Vector3d first = *window.prober().report()->point;
+  key(Qt::Key_K);
+  const QSize size = window.view().pixels();
+  click({size.width() / 2, size.height() * 4 / 5});
+  key(Qt::Key_K);
+  settleKept();
+  QTableView& view = window.keptProbesPane().view();
+  QVERIFY(view.isVisible());
+
+  QTest::mouseClick(view.viewport(), Qt::LeftButton, {}, middleOf(view, 0, 1));
+  settleKept();
+  QCOMPARE(window.keptProbes().current(), 0);
+  QCOMPARE(*window.prober().pinnedPoint(), first);
+  QCOMPARE(result("vsm").error, errorAt(window, 0, "vsm"));
+
+  window.keptProbesPane().editName(0);
+  auto* editor = view.viewport()->findChild<QLineEdit*>();
+  QVERIFY(editor);
+  editor->setText("Under the \"bench\"");
+  QTest::keyClick(editor, Qt::Key_Return);
+  QTRY_COMPARE(cell(window, 0, 0), QString("Under the \"bench\""));
+  QCOMPARE(window.controller().session().keptProbe, std::string("Under the \"bench\""));
+  QCOMPARE(*window.prober().pinnedPoint(), first);
+
+  const Session before = window.controller().session();
+  view.setFocus();
+  QTest::keyClick(&view, Qt::Key_Delete);
+  settleKept();
+  QCOMPARE(int(window.controller().session().probes.size()), 1);
+  QCOMPARE(view.model()->rowCount(), 1);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(window.controller().session() == before);
+  key(Qt::Key_Z, Qt::ControlModifier);  // the name
+  QVERIFY(cell(window, 0, 0) != "Under the \"bench\"");
+  QCOMPARE(*window.prober().pinnedPoint(), first);
+  key(Qt::Key_Z, Qt::ControlModifier);  // the way there
+  QCOMPARE(window.keptProbes().current(), 1);
+  key(Qt::Key_Y, Qt::ControlModifier);
+  settleKept();
+  QCOMPARE(*window.prober().pinnedPoint(), first);
+
+  // A name that another has is refused, and said so.
+  const std::vector<NamedProbe> probes = window.controller().session().probes;
+  window.keptProbes().rename(0, QString::fromStdString(probes[1].name));
+  QVERIFY(window.controller().session().probes == probes);
+}
+
+void WindowTest::keptProbesAreSavedAndOpenedAgain() {
+  MainWindow& window = open();
+  key(Qt::Key_K);
+  settleKept();
+  const Session saved = window.sessionToSave();
+  const double error = errorAt(window, 0, "vsm");
+  const QString file = folder_.filePath("kept.json");
+  window.saveSession(file.toStdString());
+  SceneSource other;
+  other.name = "three-planes";
+  window.controller().openSource(other);
+  settleKept();
+  QVERIFY(window.controller().session().probes.empty());  // of another scene
+  QCOMPARE(window.keptProbesPane().view().model()->rowCount(), 0);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  settleKept();
+  QCOMPARE(window.keptProbesPane().view().model()->rowCount(), 1);
+  key(Qt::Key_Y, Qt::ControlModifier);
+  settle();
+  window.openFile(file.toStdString());
+  settleKept();
+  QVERIFY(window.controller().session().probes == saved.probes);
+  QCOMPARE(window.keptProbes().current(), 0);
+  QCOMPARE(errorAt(window, 0, "vsm"), error);
+  QCOMPARE(result("vsm").error, error);
+
+  QVERIFY(window.keptProbesPane().asText(',').startsWith("name,x,y,z,receiver,truth,"));
+  QVERIFY(window.keptProbesPane().asText('\t').contains(
+      QString::fromStdString(saved.probes[0].name) + "\t"));
+}
+
+// Nobody has seen the point in this window: it is read from its surface.
+void WindowTest::aKeptProbeOutOfSightIsGoneTo() {
+  MainWindow& window = open();
+  key(Qt::Key_K);
+  settleKept();
+  Session away = window.sessionToSave();
+  const double truth = window.prober().report()->probe.reference;
+  const double receiver = window.prober().report()->probe.receiver;
+  away.camera = turnedAround(window.controller().document().content.scene->camera);
+  open(away);
+  settleKept();
+  const KeptProbes::Row& row = window_->keptProbes().rows().at(0);
+  QVERIFY(row.hidden);
+  QVERIFY(row.figures.has_value());
+  // Its place on the map is known to 2⁻²⁴ of the map and the digits of the depth buffer: a
+  // thousandth of a texel, by which the taps at two edges weigh more or less.
+  QVERIFY(std::abs(row.figures->reference - truth) < 2e-3);
+  // The picture's surface is known to the digits of its depth buffer.
+  QVERIFY(std::abs(row.figures->receiver - receiver) < 1e-4);
+  QVERIFY(window_->prober().report().has_value());
+  QCOMPARE(window_->prober().report()->probe.receiver, row.figures->receiver);
+  QVERIFY(!result("vsm").gpu);
+
+  window_->controller().edit(
+      "Trilinear", [](Session& session) { session.frame.read.filter = ReadFilter::Trilinear; });
+  settleKept();
+  QVERIFY(!window_->keptProbes().rows().at(0).figures);
+  QCOMPARE(window_->keptProbes().rows().at(0).reason, QString("not in sight"));
+}
+
+void WindowTest::keptTexelsAreOfTheirFile() {
+  MainWindow& window = open();
+  Image<float> depths(48, 32);
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 48; ++x) depths(x, y) = float((x * 7 + y * 13) % 50) / 50.0F;
+  const QString file = folder_.filePath("kept.exr");
+  writeExr(file.toStdString(), {{"Z", depths}}, {});
+  window.openFile(file.toStdString());
+  QTRY_VERIFY(window.controller().document().content.depth != nullptr);
+  emit window.centre().depthView().texelClicked(5, 20);
+  window.controller().edit("receiver", [](Session& session) { session.receiver = 0.4; });
+  window.keptProbes().keep();
+  emit window.centre().depthView().texelClicked(30, 11);
+  settleKept();
+  const NamedProbe kept = window.controller().session().probes.at(0);
+  QVERIFY(kept.texel == (Pixel{5, 20}));
+  QVERIFY(!kept.point);
+  QCOMPARE(*kept.receiver, 0.4);
+  window.keptProbes().goTo(0);
+  settleKept();
+  QVERIFY(window.prober().report()->pixel == (Pixel{5, 20}));
+  QCOMPARE(errorAt(window, 0, "vsm"), result("vsm").error);
+}
+
+void WindowTest::keptFiguresHideBehindAVeil() {
+  MainWindow& window = open();
+  window.findChild<QDockWidget*>("probesDock")->raise();
+  key(Qt::Key_K);
+  settleKept();
+  KeptProbesPane& pane = window.keptProbesPane();
+  QVERIFY(pane.view().isVisible());
+  window.prober().setVeil("Predict first");
+  QVERIFY(!pane.view().isVisible());
+  QVERIFY(pane.asText('\t').isEmpty());
+  window.prober().setVeil({});
+  QVERIFY(pane.view().isVisible());
+  QVERIFY(!pane.asText('\t').isEmpty());
+}
+
+}  // namespace umbra

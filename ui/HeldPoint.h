@@ -1,0 +1,62 @@
+// A point of a surface that is read frame by frame, in sight or not.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <variant>
+
+#include "analysis/SurfaceRead.h"
+#include "analysis/SurfaceSpot.h"
+#include "filters/gpu/ShadowRenderer.h"
+#include "ui/Footprint.h"
+#include "ui/ProbeReport.h"
+
+namespace umbra {
+
+class SceneView;
+struct Document;
+
+// Where a frame reads a surface.
+struct SurfacePlace {
+  Pixel pixel;  // of the view; of a hidden point where it was last seen, or would be
+  SurfacePoint surface;
+  std::optional<Plane> plane;  // around it
+  bool inSight = true;         // else the frame has no pixel of it
+};
+
+// What the last frame shows at a pixel of the view; none in the sky and outside the shadow map.
+std::optional<SurfacePlace> placeAt(SceneView& view, const Pixel& pixel);
+
+enum class NotRead { NoSurface, OutsideMap, NotInSight };
+
+class HeldPoint {
+ public:
+  explicit HeldPoint(const Eigen::Vector3d& point) : point_(point) {}
+  // A place of the last frame.
+  HeldPoint(const SurfacePlace& place, const SceneView& view, const Document& document);
+
+  const Eigen::Vector3d& point() const { return point_; }  // world
+
+  // Where the last frame reads it. In sight it is the pixel's surface that is read, so that the
+  // figures are those of the picture; hidden, as it was last seen while nothing but the camera
+  // moved, else the point itself, as the frame would read it were nothing in front of it.
+  std::variant<SurfacePlace, NotRead> find(SceneView& view, const Document& document);
+  // That it lies on, in a scene that has been drawn; "" where it lies on none.
+  std::string objectName(const Document& document);
+
+ private:
+  const std::optional<SurfaceSpot>& spotIn(const Document& document);
+  std::optional<SurfacePlace> visible(SceneView& view, const Document& document);
+  std::variant<SurfacePlace, NotRead> hidden(const SceneView& view, const Document& document);
+  void remember(const SurfacePlace& place, const SceneView& view, const Document& document);
+
+  Eigen::Vector3d point_;
+  std::shared_ptr<const Scene> scene_;  // of spot_
+  std::optional<SurfaceSpot> spot_;
+  // Where it was last in sight, and what its read depended on beside the camera.
+  std::optional<SurfacePlace> lastSeen_;
+  int map_ = 0;
+  FrameSettings frame_;
+};
+
+}  // namespace umbra

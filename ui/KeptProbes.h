@@ -1,0 +1,72 @@
+// The probes that are kept, read in every frame that is at rest.
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/ProbeSheet.h"
+#include "ui/HeldPoint.h"
+
+namespace umbra {
+
+class Prober;
+class SceneView;
+class SessionController;
+struct Document;
+
+// Reads one probe after the other, and lets the window answer between them: each costs what
+// pointing at a place does.
+class KeptProbes : public QObject {
+  Q_OBJECT
+
+ public:
+  struct Row {
+    NamedProbe probe;
+    std::optional<SheetFigures> figures;  // of the settings before, until it is read again
+    QString reason;                       // why there are no figures; empty before it is read
+    bool hidden = false;                  // from the camera
+  };
+
+  KeptProbes(SessionController& controller, SceneView& view, Prober& prober,
+             QObject* parent = nullptr);
+
+  const std::vector<Row>& rows() const { return rows_; }
+  // The one that the session's probe is at; −1 for none.
+  int current() const;
+  // All are read with the present settings.
+  bool upToDate() const { return next_ >= rows_.size() && !rest_.isActive(); }
+
+  // Whether there is a pinned or hovered place to keep, which is none of the kept ones.
+  bool canKeep() const;
+  // All are a step for undo.
+  void keep();  // the present probe; pins it
+  void rename(int row, const QString& name);
+  void drop(int row);
+  void goTo(int row);
+
+  // With `separator` between fields, see sheetText; all techniques in their order.
+  QString text(char separator) const;
+
+ signals:
+  void changed();
+
+ private:
+  void sessionChanged(const Document& before, const Document& after);
+  void start();
+  void readNext();
+  void read(std::size_t row);
+  QString wishedName() const;
+
+  SessionController& controller_;
+  SceneView& view_;
+  Prober& prober_;
+  std::vector<Row> rows_;
+  std::vector<std::optional<HeldPoint>> held_;  // by row; none on a depth file
+  QTimer rest_;                                 // the picture stands still since
+  std::size_t next_ = 0;                        // to be read
+};
+
+}  // namespace umbra

@@ -1,0 +1,193 @@
+#include "ui/KeptProbesPane.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QHeaderView>
+#include <QLabel>
+#include <QTableView>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "datasets/Comparison.h"
+#include "ui/KeptProbes.h"
+#include "ui/PaneHeader.h"
+#include "ui/Prober.h"
+#include "ui/SessionController.h"
+#include "ui/widgets/KeptProbesModel.h"
+#include "ui/widgets/Style.h"
+
+namespace umbra {
+namespace {
+
+// "Layered power CDF" over a column of figures.
+QString inTwoLines(QString title) {
+  const int space = int(title.indexOf(' '));
+  return space < 0 ? title : title.replace(space, 1, '\n');
+}
+
+}  // namespace
+
+KeptProbesPane::KeptProbesPane(KeptProbes& probes, SessionController& controller, Prober& prober,
+                               QWidget* parent)
+    : Card(tr("Kept probes"), parent),
+      probes_(probes),
+      controller_(controller),
+      prober_(prober),
+      model_(new KeptProbesModel(this)),
+      view_(new QTableView),
+      hint_(new QLabel),
+      keep_(new QToolButton),
+      errors_(new QToolButton),
+      copy_(new QToolButton) {
+  makeTable();
+  makeHeader();
+  makeMenu();
+  hint_->setWordWrap(true);
+  hint_->setAlignment(Qt::AlignCenter);
+  QPalette palette = hint_->palette();
+  palette.setColor(QPalette::WindowText, style::muted);
+  hint_->setPalette(palette);
+  body()->addWidget(hint_, 1);
+  connect(&probes_, &KeptProbes::changed, this, &KeptProbesPane::refresh);
+  connect(&prober_, &Prober::reported, this, [this] {
+    keep_->setEnabled(probes_.canKeep());
+    if (hint_->text() != hint()) refresh();  // a veil came or went
+  });
+  refresh();
+}
+
+void KeptProbesPane::makeTable() {
+  view_->setModel(model_);
+  view_->setItemDelegate(new KeptProbesDelegate(view_));
+  view_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  view_->setSelectionMode(QAbstractItemView::SingleSelection);
+  view_->setEditTriggers(QAbstractItemView::DoubleClicked);
+  view_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+  view_->setShowGrid(false);
+  view_->setFrameShape(QFrame::NoFrame);
+  view_->setTabKeyNavigation(false);
+  view_->verticalHeader()->hide();
+  view_->verticalHeader()->setMinimumSectionSize(10);
+  QHeaderView* header = view_->horizontalHeader();
+  header->setMinimumSectionSize(10);
+  header->setHighlightSections(false);
+  header->setSectionsClickable(true);
+  header->setStyleSheet(QString("QHeaderView { background: transparent; } QHeaderView::section { "
+                                "border: none; border-bottom: 1px solid %1; background: "
+                                "transparent; padding: 2px 3px; }")
+                            .arg(style::border.name()));
+  body()->addWidget(view_, 1);
+  const auto go = [this](const QModelIndex& index) { probes_.goTo(index.row()); };
+  connect(view_, &QTableView::clicked, this, go);
+  connect(view_, &QTableView::activated, this, go);
+  connect(header, &QHeaderView::sectionClicked, this, [this](int section) {
+    const TechniqueColumn* technique = model_->techniqueAt(section);
+    if (!technique || !technique->refusal.isEmpty()) return;
+    controller_.edit(tr("Choose technique"), [id = technique->id](Session& session) {
+      chooseTechnique(session, id.toStdString());
+    });
+  });
+  // Once the editor has closed: the rows may change by it.
+  connect(
+      model_, &KeptProbesModel::renamed, this,
+      [this](int row, const QString& name) { probes_.rename(row, name); }, Qt::QueuedConnection);
+}
+
+void KeptProbesPane::makeHeader() {
+  const auto button = [this](QToolButton* made, const QString& text, const QString& hint) {
+    made->setText(text);
+    made->setToolTip(hint);
+    made->setAutoRaise(true);
+    addToHeader(made);
+  };
+  button(keep_, tr("Keep probe"), tr("Add the present probe to this table (K)"));
+  button(errors_, tr("Errors"), tr("Show errors in place of visibilities"));
+  button(copy_, tr("Copy"), tr("Copy the table as text, tab separated"));
+  errors_->setCheckable(true);
+  errors_->setStyleSheet(QString("QToolButton:checked { background: %1; color: %2; }")
+                             .arg(style::tint(style::accent).name(), style::accent.name()));
+  connect(keep_, &QToolButton::clicked, &probes_, &KeptProbes::keep);
+  connect(errors_, &QToolButton::toggled, this,
+          [this](bool shown) { model_->setErrorsShown(shown); });
+  connect(copy_, &QToolButton::clicked, this,
+          [this] { QGuiApplication::clipboard()->setText(asText('\t')); });
+}
+
+void KeptProbesPane::makeMenu() {
+  const auto add = [this](const QString& text, auto run) {
+    auto* action = new QAction(text, view_);
+    view_->addAction(action);
+    connect(action, &QAction::triggered, this, run);
+    return action;
+  };
+  add(tr("Keep probe"), [this] { probes_.keep(); });
+  add(tr("Rename probe"), [this] { editName(view_->currentIndex().row()); });
+  QAction* drop = add(tr("Delete probe"), [this] {
+    const QModelIndex index = view_->currentIndex();
+    if (index.isValid()) probes_.drop(index.row());
+  });
+  drop->setShortcut(QKeySequence::Delete);
+  drop->setShortcutContext(Qt::WidgetShortcut);
+  add(tr("Copy table"), [this] { QGuiApplication::clipboard()->setText(asText('\t')); });
+  view_->setContextMenuPolicy(Qt::ActionsContextMenu);
+}
+
+void KeptProbesPane::editName(int row) {
+  const QModelIndex index = model_->index(row, KeptProbesModel::NameColumn);
+  if (index.isValid()) view_->edit(index);
+}
+
+QString KeptProbesPane::asText(char separator) const {
+  return prober_.veil().isEmpty() ? probes_.text(separator) : QString();
+}
+
+QString KeptProbesPane::hint() const {
+  if (!prober_.veil().isEmpty()) return prober_.veil();
+  return tr(
+      "Point at a shadow and press K to keep the place here, under a name: what every "
+      "technique makes of all kept places stands side by side.");
+}
+
+void KeptProbesPane::refresh() {
+  const bool shown = !probes_.rows().empty() && prober_.veil().isEmpty();
+  hint_->setText(hint());
+  hint_->setVisible(!shown);
+  view_->setVisible(shown);
+  keep_->setEnabled(probes_.canKeep());
+  for (QToolButton* button : {errors_, copy_}) button->setEnabled(shown);
+
+  const QMap<QString, QString> refusals = controller_.refusals();
+  std::vector<TechniqueColumn> techniques;
+  for (const auto& technique : controller_.techniques()) {
+    const QString id = style::text(technique->info().id);
+    techniques.push_back({id, inTwoLines(shortTitle(*technique)),
+                          style::text(technique->info().title), refusals.value(id)});
+  }
+  model_->setTechniques(std::move(techniques), style::text(controller_.session().technique));
+  std::vector<KeptProbeRow> rows;
+  for (const KeptProbes::Row& row : probes_.rows()) {
+    const NamedProbe& probe = row.probe;
+    const QString place =
+        probe.point ? tr("at %1, %2, %3 in the scene")
+                          .arg(style::figure(probe.point->x()), style::figure(probe.point->y()),
+                               style::figure(probe.point->z()))
+                    : tr("texel %1, %2").arg(probe.texel->x).arg(probe.texel->y);
+    rows.push_back(
+        {style::text(probe.name), place, row.figures, row.hidden ? tr("hidden") : row.reason});
+  }
+  model_->setRows(std::move(rows));
+  const int current = probes_.current();
+  if (current >= 0)
+    view_->selectRow(current);
+  else
+    view_->clearSelection();
+  arrangeColumns();
+}
+
+void KeptProbesPane::arrangeColumns() {
+  view_->resizeColumnsToContents();
+  view_->resizeRowsToContents();
+}
+
+}  // namespace umbra

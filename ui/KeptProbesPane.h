@@ -1,0 +1,47 @@
+// The table of the kept probes and what can be done with them.
+#pragma once
+
+#include "ui/widgets/Card.h"
+
+class QLabel;
+class QTableView;
+class QToolButton;
+
+namespace umbra {
+
+class KeptProbes;
+class KeptProbesModel;
+class Prober;
+class SessionController;
+
+class KeptProbesPane : public Card {
+  Q_OBJECT
+
+ public:
+  KeptProbesPane(KeptProbes& probes, SessionController& controller, Prober& prober,
+                 QWidget* parent = nullptr);
+
+  QTableView& view() { return *view_; }
+  QToolButton& keepButton() { return *keep_; }
+  // None while a veil hides the figures.
+  QString asText(char separator) const;
+  void editName(int row);
+
+ private:
+  void makeTable();
+  void makeHeader();
+  void makeMenu();
+  void refresh();
+  void arrangeColumns();
+  QString hint() const;
+
+  KeptProbes& probes_;
+  SessionController& controller_;
+  Prober& prober_;
+  KeptProbesModel* model_;
+  QTableView* view_;
+  QLabel* hint_;
+  QToolButton *keep_, *errors_, *copy_;
+};
+
+}  // namespace umbra

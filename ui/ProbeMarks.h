@@ -1,0 +1,31 @@
+// Kept probes over the picture: a numbered disc at each, its name beside it.
+#pragma once
+
+#include <Eigen/Core>
+#include <QPainter>
+#include <QString>
+#include <vector>
+
+#include "ui/SceneProjection.h"
+
+namespace umbra {
+
+class KeptProbes;
+
+struct ProbeMark {
+  int number = 1;  // of its row in the table
+  QString name;
+  Eigen::Vector3d point;  // world
+  bool hidden = false;    // from the camera: drawn faintly
+};
+
+// Of all but the one that the session's probe is at, which is drawn as the probe.
+std::vector<ProbeMark> marksOf(const KeptProbes& probes);
+
+// `avoid` are shapes (logical pixels) that no name had better cover. Names keep off one another;
+// one that finds no room is left out.
+void drawMarks(QPainter& painter, const std::vector<ProbeMark>& marks,
+               const SceneProjection& projection, const QRectF& area,
+               const std::vector<QRectF>& avoid);
+
+}  // namespace umbra

@@ -1,0 +1,110 @@
+#include "ui/ProbeTaker.h"
+
+#include "ui/SceneView.h"
+#include "ui/SessionController.h"
+
+namespace umbra {
+
+ProbeTaker::ProbeTaker(SessionController& controller, SceneView& view)
+    : controller_(controller), view_(view) {}
+
+void ProbeTaker::sessionChanged(const Document& before, const Document& after) {
+  const Session &old = before.session, &now = after.session;
+  if (!(before.content == after.content) || old.technique != now.technique ||
+      !(old.parameters == now.parameters) || old.frame.map.format != now.frame.map.format)
+    adaptedTo_ = -1;
+}
+
+ProbeReport ProbeTaker::at(const SurfacePlace& place, const std::optional<double>& receiver) {
+  ShadowRenderer& frame = *view_.lastFrame();
+  const Session& session = controller_.session();
+  const SurfacePoint& surface = place.surface;
+  const std::vector<Cascade>& cascades = frame.cascades();
+  ProbeRequest request =
+      requestOn(frame.depthMap(surface.cascade),
+                {session.frame.read.filter, surface.u, surface.v, surface.footprint},
+                receiver.value_or(surface.receiver));
+  request.cascade = surface.cascade;
+  if (surface.nextCascade > 0.0) {
+    const int next = surface.cascade + 1;
+    request.seam.emplace(SeamPart{
+        frame.depthMap(next),
+        readInCascade(request.read, cascades[surface.cascade], cascades[next], request.kernel),
+        surface.nextCascade});
+  }
+  ProbeReport report = probe(std::move(request), frame.depthMap(0), view_.firstMapRevision());
+  report.cascade = surface.cascade;
+  report.pixel = place.pixel;
+  report.facesLight = surface.facesLight;
+  report.receiverByHand = receiver.has_value();
+  report.point = surface.world;
+  report.footprint = footprintOf(ownRegion(report.probe), session.frame.map.size, surface.receiver,
+                                 cascades[surface.cascade].frame, place.plane);
+  if (receiver || !place.inSight) return report;  // the frame shows no such visibility
+  for (TechniqueResult& result : report.probe.techniques)
+    if (result.technique->info().id == session.technique) result.gpu = surface.visibility;
+  return report;
+}
+
+std::optional<ProbeReport> ProbeTaker::at(const Pixel& texel,
+                                          const std::optional<double>& receiver) {
+  const DepthMap& map = *controller_.document().content.depth;
+  if (texel.x < 0 || texel.y < 0 || texel.x >= map.width() || texel.y >= map.height())
+    return std::nullopt;
+  ProbeReport report = probe(
+      requestOn(map, ReadPoint::atTexel(map, texel.x, texel.y), receiver.value_or(0.5)), map, 0);
+  report.pixel = texel;
+  return report;
+}
+
+// The picture's technique takes the picture's splits, so that both agree while they move.
+void ProbeTaker::adaptTechniques(const DepthMap& map, int revision) {
+  const ShadowRenderer* frame = view_.lastFrame();
+  std::vector<double> splits;
+  if (frame && controller_.document().content.scene) splits = frame->adaptedSplits();
+  const auto shown = [&](const Technique& technique) {
+    return !splits.empty() && technique.info().id == controller_.session().technique;
+  };
+  if (adaptedTo_ != revision) {
+    adapted_.clear();
+    for (const auto& technique : controller_.techniques()) {
+      std::shared_ptr<Technique> copy = technique->clone();
+      if (shown(*copy))
+        copy->setAdaptedSplits(splits);
+      else
+        copy->adapt(map);
+      adapted_.push_back(std::move(copy));
+    }
+  } else if (splits != splits_) {
+    for (auto& technique : adapted_) {
+      if (!shown(*technique)) continue;
+      std::shared_ptr<Technique> copy = technique->clone();
+      copy->setAdaptedSplits(splits);
+      technique = std::move(copy);
+    }
+  }
+  adaptedTo_ = revision;
+  splits_ = std::move(splits);
+}
+
+ProbeRequest ProbeTaker::requestOn(const DepthMap& map, const ReadPoint& read,
+                                   double receiver) const {
+  const FrameSettings& settings = controller_.session().frame;
+  return {.map = map,
+          .read = read,
+          .kernel = settings.kernel,
+          .format = settings.map.format,
+          .receiver = receiver,
+          .satPrecision = settings.read.satPrecision};
+}
+
+ProbeReport ProbeTaker::probe(ProbeRequest request, const DepthMap& first, int revision) {
+  adaptTechniques(first, revision);
+  request.techniques = adapted_;
+  ProbeReport report;
+  report.probe = takeProbe(request);
+  report.request = std::make_shared<const ProbeRequest>(std::move(request));
+  return report;
+}
+
+}  // namespace umbra
