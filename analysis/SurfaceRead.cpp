@@ -152,6 +152,12 @@ Vector2d reachOf(const ReadPoint& read, const FrameSettings& settings, double fi
   return (size.cwiseAbs() * probes).array() + kernel + 1.5 * std::ldexp(1.0, level) - 0.5;
 }
 
+// World units, at the depth of a point.
+double pixelSide(const PictureView& picture, const Vector3d& point) {
+  const CameraAxes axes = axesOf(picture);
+  return std::abs(axes.forward.dot(point - picture.camera.position)) / axes.scale;
+}
+
 }  // namespace
 
 std::optional<Vector2d> PictureView::pixelOf(const Vector3d& world) const {
@@ -172,11 +178,14 @@ Vector3d PictureView::rayThrough(const Vector2d& pixel) const {
 bool isSeenAt(const PictureView& picture, const Vector3d& point, const Vector3d& normal,
               const Vector3d& shown) {
   const Vector3d way = point - picture.camera.position;
-  const CameraAxes axes = axesOf(picture);
-  // A pixel's diagonal, at least twice as far as its centre can be from the point in it.
-  const double pixel = std::numbers::sqrt2 * std::abs(axes.forward.dot(way)) / axes.scale;
+  // A pixel's diagonal is at least twice as far as its centre can be from the point in it.
+  const double diagonal = std::numbers::sqrt2 * pixelSide(picture, point);
   const double cosine = std::max(std::abs(normal.dot(way.normalized())), 0.01);
-  return (shown - point).norm() <= pixel / cosine + 1e-3 * way.norm();
+  return (shown - point).norm() <= diagonal / cosine + 1e-3 * way.norm();
+}
+
+bool isShownAt(const PictureView& picture, const Vector3d& point, const Vector3d& shown) {
+  return (shown - point).norm() <= 0.01 * pixelSide(picture, point);
 }
 
 std::variant<SurfaceRead, Unreadable> readOfSurface(const Vector3d& point, const Vector3d& normal,

@@ -54,5 +54,9 @@ std::variant<SurfaceRead, Unreadable> readOfSurface(const Eigen::Vector3d& point
 // lies, with that normal: no farther away than a plane reaches in a pixel and a depth may err.
 bool isSeenAt(const PictureView& picture, const Eigen::Vector3d& point,
               const Eigen::Vector3d& normal, const Eigen::Vector3d& shown);
+// Whether it is the very point, to a hundredth of a pixel: what the picture knows of its pixel then
+// holds for the point.
+bool isShownAt(const PictureView& picture, const Eigen::Vector3d& point,
+               const Eigen::Vector3d& shown);
 
 }  // namespace umbra

@@ -160,6 +160,12 @@ TEST(PictureView, WhatStandsInFrontIsNotThePoint) {
   const Vector3d way = (setting.camera.position - point).normalized();
   EXPECT_TRUE(isSeenAt(view, point, tilted, point));
   EXPECT_FALSE(isSeenAt(view, point, tilted, point + 0.2 * way));
+  const Vector3d along = way.cross(tilted).normalized();  // in the plane, across the view
+  const double pixel = (point - setting.camera.position).norm() * 2.0 *
+                       std::tan(15.0 * std::numbers::pi / 180.0) / 480;
+  EXPECT_TRUE(isSeenAt(view, point, tilted, point + 0.7 * pixel * along));
+  EXPECT_FALSE(isShownAt(view, point, point + 0.1 * pixel * along));
+  EXPECT_TRUE(isShownAt(view, point, point + 0.001 * pixel * along));
 }
 
 TEST(SurfaceSpot, TheNearestTriangleAndItsObjectAreFound) {

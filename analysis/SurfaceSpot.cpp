@@ -45,10 +45,11 @@ std::optional<SurfaceSpot> surfaceNear(const Scene& scene, const Vector3d& point
       const double outside = (low - point).cwiseMax(point - high).maxCoeff();
       if (outside >= nearest) continue;
       const double distance = std::sqrt(squaredDistance(point, a, b, c));
-      const Vector3d normal = (b - a).cross(c - a);
-      if (distance >= nearest || normal.squaredNorm() == 0.0) continue;
+      const Vector3d across = (b - a).cross(c - a);
+      if (distance >= nearest || across.squaredNorm() == 0.0) continue;
       nearest = distance;
-      spot = SurfaceSpot{normal.normalized(), i};
+      const Vector3d normal = across.normalized();
+      spot = SurfaceSpot{point - normal.dot(point - a) * normal, normal, i};
     }
   }
   return spot;

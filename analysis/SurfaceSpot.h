@@ -10,6 +10,7 @@
 namespace umbra {
 
 struct SurfaceSpot {
+  Eigen::Vector3d point;   // world, moved onto the triangle's plane
   Eigen::Vector3d normal;  // world, unit, of the triangle
   std::size_t object = 0;  // of the scene, by its place
 };

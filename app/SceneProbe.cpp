@@ -1,7 +1,5 @@
 #include "app/SceneProbe.h"
 
-#include <cmath>
-
 #include "analysis/ReceiverPixels.h"
 #include "analysis/SurfaceRead.h"
 #include "analysis/SurfaceSpot.h"
@@ -42,8 +40,9 @@ SurfacePoint surfaceOf(HeadlessFrame& frame, const Session& session, Pixel pixel
 // As each technique's frame shows it: the same but for the visibility.
 struct SeenSurface {
   Pixel pixel;
-  std::vector<SurfacePoint> surfaces;  // of a hidden one only the first
-  bool hidden = false;
+  std::vector<SurfacePoint> surfaces;  // of one that is computed only the first
+  bool hidden = false;                 // from the camera
+  bool computed = false;               // for the point, not as a pixel shows it
 };
 
 SceneProbe takeSceneProbe(HeadlessFrame& frame, const Session& session,
@@ -59,10 +58,17 @@ SceneProbe takeSceneProbe(HeadlessFrame& frame, const Session& session,
   }
   SceneProbe result{takeProbe(request), seen.pixel, surface, seen.hidden};
   // A receiver set by hand is not the one that the frame was shaded with.
-  if (receiver || seen.hidden) return result;
+  if (receiver || seen.computed) return result;
   for (std::size_t i = 0; i < techniques.size(); ++i)
     result.probe.techniques[i].gpu = seen.surfaces[i].visibility;
   return result;
+}
+
+std::optional<Pixel> pixelIn(const PictureView& picture, const Eigen::Vector3d& point) {
+  const auto at = picture.pixelOf(point);
+  if (!at || at->minCoeff() < 0.0 || at->x() >= picture.width || at->y() >= picture.height)
+    return std::nullopt;
+  return Pixel{int(at->x()), int(at->y())};
 }
 
 struct KeptPlace {
@@ -76,19 +82,16 @@ KeptPlace placeOf(HeadlessFrame& frame, const Scene& scene, const Session& sessi
   const auto spot = surfaceNear(scene, point);
   if (!spot) return {{}, "no surface of the scene is there"};
   const PictureView picture{session.camera.value_or(scene.camera), session.width, session.height};
-  if (const auto at = picture.pixelOf(point)) {
-    const Pixel pixel{int(std::floor(at->x())), int(std::floor(at->y()))};
-    const bool inside =
-        pixel.x >= 0 && pixel.y >= 0 && pixel.x < session.width && pixel.y < session.height;
-    const auto surface = inside ? frame.surfaceAt(pixel.x, pixel.y) : std::nullopt;
-    if (surface && isSeenAt(picture, point, spot->normal, surface->world) && isInMap(*surface))
-      return {{pixel, {*surface}, false}, {}};
-  }
+  const std::optional<Pixel> pixel = pixelIn(picture, point);
+  const auto shown = pixel ? frame.surfaceAt(pixel->x, pixel->y) : std::nullopt;
+  const bool seen = shown && isSeenAt(picture, point, spot->normal, shown->world);
+  if (seen && isInMap(*shown) && isShownAt(picture, point, shown->world))
+    return {{*pixel, {*shown}}, {}};
   const Eigen::AlignedBox3d bounds = scene.lightBounds();
+  const LightFrame light = fitLightFrame(session.light.value_or(scene.light), bounds);
   const auto found =
-      readOfSurface(point, spot->normal,
-                    {picture, fitLightFrame(session.light.value_or(scene.light), bounds),
-                     frame.cascades(), session.frame, bounds.diagonal().norm()});
+      readOfSurface(spot->point, spot->normal,
+                    {picture, light, frame.cascades(), session.frame, bounds.diagonal().norm()});
   if (const auto* why = std::get_if<Unreadable>(&found))
     return {{}, *why == Unreadable::OutsideMap ? "outside the shadow map" : "not in sight"};
   const auto& read = std::get<SurfaceRead>(found);
@@ -101,7 +104,7 @@ KeptPlace placeOf(HeadlessFrame& frame, const Scene& scene, const Session& sessi
   surface.footprint = read.read.footprint;
   surface.cascade = read.cascade;
   surface.nextCascade = read.nextCascade;
-  return {{{}, {surface}, true}, {}};
+  return {{seen ? *pixel : Pixel{}, {surface}, !seen, true}, {}};
 }
 
 }  // namespace
@@ -139,7 +142,7 @@ std::vector<KeptSceneProbe> probeKept(HeadlessFrame& frame, const Scene& scene,
       SeenSurface& seen = places[i].seen;
       if (technique == techniques.front())
         places[i] = placeOf(frame, scene, session, *kept[i].point);
-      else if (!seen.surfaces.empty() && !seen.hidden)
+      else if (!seen.surfaces.empty() && !seen.computed)
         seen.surfaces.push_back(surfaceOf(frame, session, seen.pixel));
     }
   }

@@ -31,8 +31,9 @@ struct KeptSceneProbe {
   std::string reason;
 };
 
-// The same of points: in sight what the shaded frame reads in the point's pixel; else what it would
-// read there, were nothing in front. `receiver` takes the place of each probe's own.
+// The same of points: what the shaded frame reads in the pixel whose middle shows the point; else
+// what it would read, were the point such a middle and nothing in front. `receiver` takes the place
+// of each probe's own.
 std::vector<KeptSceneProbe> probeKept(HeadlessFrame& frame, const Scene& scene,
                                       const Session& session,
                                       const std::vector<std::shared_ptr<Technique>>& techniques,

@@ -15,6 +15,11 @@ FrameSettings readsOf(FrameSettings frame) {
   return frame;
 }
 
+// What is read of a map: how wide, and which one.
+bool dependsOnCamera(const FrameSettings& frame) {
+  return frame.read.filter > ReadFilter::Bilinear || frame.map.cascades.count > 1;
+}
+
 }  // namespace
 
 std::optional<SurfacePlace> placeAt(SceneView& view, const Pixel& pixel) {
@@ -31,7 +36,7 @@ HeldPoint::HeldPoint(const SurfacePlace& place, const SceneView& view, const Doc
 
 void HeldPoint::remember(const SurfacePlace& place, const SceneView& view,
                          const Document& document) {
-  lastSeen_ = place;
+  lastShown_ = place;
   map_ = view.mapRevision();
   frame_ = readsOf(document.session.frame);
 }
@@ -50,12 +55,27 @@ std::string HeldPoint::objectName(const Document& document) {
   return spot ? scene_->objects[spot->object].name : std::string();
 }
 
+bool HeldPoint::remembers(const SceneView& view, const Document& document) const {
+  return lastShown_ && map_ == view.mapRevision() && frame_ == readsOf(document.session.frame);
+}
+
 std::variant<SurfacePlace, NotRead> HeldPoint::find(SceneView& view, const Document& document) {
-  if (auto place = visible(view, document)) {
-    remember(*place, view, document);
-    return *place;
+  const std::optional<SurfacePlace> seen = visible(view, document);
+  if (seen && isShownAt(pictureOf(view), point_, seen->surface.world)) {
+    remember(*seen, view, document);
+    return *seen;
   }
-  return hidden(view, document);
+  std::variant<SurfacePlace, NotRead> found = NotRead::NoSurface;
+  if (remembers(view, document) && !(seen && dependsOnCamera(document.session.frame)))
+    found = *lastShown_;
+  else
+    found = computed(view, document);
+  if (auto* place = std::get_if<SurfacePlace>(&found)) {
+    place->inSight = seen.has_value();
+    place->asShown = false;
+    if (seen) place->pixel = seen->pixel;
+  }
+  return found;
 }
 
 std::optional<SurfacePlace> HeldPoint::visible(SceneView& view, const Document& document) {
@@ -68,27 +88,21 @@ std::optional<SurfacePlace> HeldPoint::visible(SceneView& view, const Document& 
   return place;
 }
 
-std::variant<SurfacePlace, NotRead> HeldPoint::hidden(const SceneView& view,
-                                                      const Document& document) {
-  const FrameSettings& frame = document.session.frame;
-  if (lastSeen_ && map_ == view.mapRevision() && frame_ == readsOf(frame)) {
-    SurfacePlace place = *lastSeen_;
-    place.inSight = false;
-    return place;
-  }
+std::variant<SurfacePlace, NotRead> HeldPoint::computed(const SceneView& view,
+                                                        const Document& document) {
   const auto& spot = spotIn(document);
   if (!spot) return NotRead::NoSurface;
   const ShadowRenderer& drawn = *view.lastFrame();
-  const auto found = readOfSurface(point_, spot->normal,
-                                   {pictureOf(view), drawn.lightFrame(), drawn.cascades(), frame,
-                                    document.content.scene->lightBounds().diagonal().norm()});
+  const double extent = document.content.scene->lightBounds().diagonal().norm();
+  const auto found = readOfSurface(
+      spot->point, spot->normal,
+      {pictureOf(view), drawn.lightFrame(), drawn.cascades(), document.session.frame, extent});
   if (const auto* why = std::get_if<Unreadable>(&found))
     return *why == Unreadable::OutsideMap ? NotRead::OutsideMap : NotRead::NotInSight;
   const auto& read = std::get<SurfaceRead>(found);
   SurfacePlace place;
-  place.inSight = false;
-  place.plane = Plane(spot->normal, point_);
-  place.pixel = lastSeen_ ? lastSeen_->pixel : document.session.probe.value_or(Pixel{});
+  place.plane = Plane(spot->normal, spot->point);
+  place.pixel = lastShown_ ? lastShown_->pixel : document.session.probe.value_or(Pixel{});
   SurfacePoint& surface = place.surface;
   surface.u = read.read.u;
   surface.v = read.read.v;

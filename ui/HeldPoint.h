@@ -22,6 +22,7 @@ struct SurfacePlace {
   SurfacePoint surface;
   std::optional<Plane> plane;  // around it
   bool inSight = true;         // else the frame has no pixel of it
+  bool asShown = true;         // the surface is a pixel's own, with its visibility
 };
 
 // What the last frame shows at a pixel of the view; none in the sky and outside the shadow map.
@@ -37,9 +38,10 @@ class HeldPoint {
 
   const Eigen::Vector3d& point() const { return point_; }  // world
 
-  // Where the last frame reads it. In sight it is the pixel's surface that is read, so that the
-  // figures are those of the picture; hidden, as it was last seen while nothing but the camera
-  // moved, else the point itself, as the frame would read it were nothing in front of it.
+  // Where the last frame reads it. Where the frame shows the very point, it is the pixel's surface
+  // that is read, so that the figures are those of the picture. Else, so that they are still of the
+  // point while the camera moves, what was shown last while nothing else has changed; or as the
+  // frame would read the point, were it the middle of a pixel and nothing in front.
   std::variant<SurfacePlace, NotRead> find(SceneView& view, const Document& document);
   // That it lies on, in a scene that has been drawn; "" where it lies on none.
   std::string objectName(const Document& document);
@@ -47,14 +49,15 @@ class HeldPoint {
  private:
   const std::optional<SurfaceSpot>& spotIn(const Document& document);
   std::optional<SurfacePlace> visible(SceneView& view, const Document& document);
-  std::variant<SurfacePlace, NotRead> hidden(const SceneView& view, const Document& document);
+  std::variant<SurfacePlace, NotRead> computed(const SceneView& view, const Document& document);
+  bool remembers(const SceneView& view, const Document& document) const;
   void remember(const SurfacePlace& place, const SceneView& view, const Document& document);
 
   Eigen::Vector3d point_;
   std::shared_ptr<const Scene> scene_;  // of spot_
   std::optional<SurfaceSpot> spot_;
-  // Where it was last in sight, and what its read depended on beside the camera.
-  std::optional<SurfacePlace> lastSeen_;
+  // As it was last shown, and what its read depended on beside the camera.
+  std::optional<SurfacePlace> lastShown_;
   int map_ = 0;
   FrameSettings frame_;
 };

@@ -20,8 +20,9 @@
 namespace umbra {
 namespace {
 
-// "Layered power CDF" over a column of figures.
+// "Layered power CDF" and "Hard shadow map" over a narrow column of figures.
 QString inTwoLines(QString title) {
+  title.remove(QStringLiteral(" shadow map"));
   const int space = int(title.indexOf(' '));
   return space < 0 ? title : title.replace(space, 1, '\n');
 }
@@ -77,6 +78,7 @@ void KeptProbesPane::makeTable() {
                                 "border: none; border-bottom: 1px solid %1; background: "
                                 "transparent; padding: 2px 3px; }")
                             .arg(style::border.name()));
+  view_->setCornerWidget(new QWidget);  // the style draws a grip there
   body()->addWidget(view_, 1);
   const auto go = [this](const QModelIndex& index) { probes_.goTo(index.row()); };
   connect(view_, &QTableView::clicked, this, go);
@@ -177,12 +179,19 @@ void KeptProbesPane::refresh() {
         {style::text(probe.name), place, row.figures, row.hidden ? tr("hidden") : row.reason});
   }
   model_->setRows(std::move(rows));
-  const int current = probes_.current();
-  if (current >= 0)
-    view_->selectRow(current);
-  else
-    view_->clearSelection();
   arrangeColumns();
+  select(probes_.current());
+}
+
+// A row is brought into view when it becomes the current one, not whenever something is read.
+void KeptProbesPane::select(int row) {
+  if (row < 0) {
+    view_->clearSelection();
+  } else if (row != selected_ || !view_->selectionModel()->isRowSelected(row, {})) {
+    view_->selectRow(row);
+    view_->scrollTo(model_->index(row, KeptProbesModel::NameColumn));
+  }
+  selected_ = row;
 }
 
 void KeptProbesPane::arrangeColumns() {

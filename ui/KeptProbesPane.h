@@ -33,6 +33,7 @@ class KeptProbesPane : public Card {
   void makeMenu();
   void refresh();
   void arrangeColumns();
+  void select(int row);  // −1 for none
   QString hint() const;
 
   KeptProbes& probes_;
@@ -42,6 +43,7 @@ class KeptProbesPane : public Card {
   QTableView* view_;
   QLabel* hint_;
   QToolButton *keep_, *errors_, *copy_;
+  int selected_ = -1;
 };
 
 }  // namespace umbra

@@ -40,7 +40,7 @@ ProbeReport ProbeTaker::at(const SurfacePlace& place, const std::optional<double
   report.point = surface.world;
   report.footprint = footprintOf(ownRegion(report.probe), session.frame.map.size, surface.receiver,
                                  cascades[surface.cascade].frame, place.plane);
-  if (receiver || !place.inSight) return report;  // the frame shows no such visibility
+  if (receiver || !place.asShown) return report;  // the frame shows no such visibility
   for (TechniqueResult& result : report.probe.techniques)
     if (result.technique->info().id == session.technique) result.gpu = surface.visibility;
   return report;

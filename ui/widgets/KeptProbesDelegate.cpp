@@ -103,8 +103,6 @@ QSize KeptProbesDelegate::sizeHint(const QStyleOptionViewItem& option,
     const QString note = index.data(KeptProbesModel::NoteRole).toString();
     if (!note.isEmpty()) width += metrics.horizontalAdvance(note) + 8;
     width = std::min(width + discSpace, widestName);
-  } else {
-    width = std::max(width, metrics.horizontalAdvance(style::signedFigure(-1.0)) + 2 * padding);
   }
   return {width, metrics.height() + 8};
 }
