@@ -120,26 +120,34 @@ TEST(SurfaceRead, WhatCannotBeReadSaysWhy) {
   EXPECT_EQ(std::get<Unreadable>(away.read(tilted)), Unreadable::OutsideMap);
 }
 
-// Beyond the end of a cascade the next one is read; in the seam before it both.
+// Before the end of a cascade it is read, in the seam with the next one, behind it the next alone;
+// what a window does not hold is left to the next.
 TEST(SurfaceRead, CascadesFollowTheDistanceFromTheCamera) {
   Setting setting(LightKind::Directional);
   setting.settings.map.cascades.count = 3;
   setting.settings.map.cascades.seam = 0.2;
-  setting.read(tilted);
-  const double own = (point - setting.camera.position).norm();
-  const std::vector<Cascade> fitted = setting.cascades;
-  const auto readWithEnd = [&](double end) {
-    std::vector<Cascade> cascades = fitted;
-    cascades[0].farDistance = end;
-    cascades[0].nearDistance = 0.0;
+  const double own = (point - setting.camera.position).norm();  // the camera looks at the point
+  const auto readWith = [&](double firstEnd, double side) {
+    std::vector<Cascade> cascades(3);
+    for (Cascade& cascade : cascades) cascade.frame = setting.frame;
+    cascades[0].side = side;
+    cascades[0].farDistance = firstEnd;
+    cascades[1].nearDistance = firstEnd;
+    cascades[1].farDistance = 10.0 * own;
+    cascades[2].nearDistance = 10.0 * own;
+    cascades[2].farDistance = 20.0 * own;
     return std::get<SurfaceRead>(readOfSurface(
         point, tilted,
         {{setting.camera, 640, 480}, setting.frame, cascades, setting.settings, 1.0}));
   };
-  EXPECT_EQ(readWithEnd(0.9 * own).nextCascade, 0.0);
-  EXPECT_GE(readWithEnd(0.9 * own).cascade, 1);
-  const SurfaceRead seam = readWithEnd(own / 0.9);  // half of the last fifth
-  if (seam.cascade == 0) EXPECT_NEAR(seam.nextCascade, 0.5, 1e-9);
+  const auto expect = [](const SurfaceRead& read, int cascade, double next) {
+    EXPECT_EQ(read.cascade, cascade);
+    EXPECT_NEAR(read.nextCascade, next, 1e-9);
+  };
+  expect(readWith(own / 0.7, 1.0), 0, 0.0);
+  expect(readWith(own / 0.9, 1.0), 0, 0.5);  // in the middle of the last fifth
+  expect(readWith(own * 0.9, 1.0), 1, 0.0);
+  expect(readWith(own / 0.7, 1e-3), 1, 0.0);
 }
 
 TEST(PictureView, ARayThroughAPointsPixelPassesThePoint) {
