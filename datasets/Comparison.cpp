@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "datasets/Session.h"
 #include "filters/core/Error.h"
@@ -13,13 +14,26 @@ constexpr std::array<std::string_view, 3> names{"single", "wipe", "grid"};
 // What the best known techniques make of the same picture.
 constexpr std::array usual{"vsm", "lvsm", "evsm4", "msm"};
 
-bool has(const std::vector<std::string>& ids, std::string_view id) {
-  return std::find(ids.begin(), ids.end(), id) != ids.end();
+// The place of a linked pane of that technique, not `but`; the end where there is none.
+std::size_t findLinked(const std::vector<Pane>& panes, std::string_view id, std::size_t but) {
+  std::size_t i = 0;
+  while (i < panes.size() && (i == but || panes[i].technique != id || !panes[i].linked())) ++i;
+  return i;
 }
 
-void replace(std::vector<std::string>& ids, const std::string& before, const std::string& after) {
-  if (has(ids, after)) return;
-  std::replace(ids.begin(), ids.end(), before, after);
+// Another technique in the active pane or in one beside it, with parameters of its own where the
+// one that was had them.
+void exchangeTechnique(Session& session, std::size_t pane, const std::string& id) {
+  Pane& changed = session.comparison.panes[pane];
+  const bool active = pane == session.comparison.active;
+  Session shared = session;
+  exchangeActive(shared);
+  if (changed.own.parameters) {
+    if (active) setParameters(session, changed.technique, *changed.own.parameters);
+    changed.own.parameters = parametersOf(shared, id);
+  }
+  changed.technique = id;
+  if (active) session.technique = id;
 }
 
 }  // namespace
@@ -35,72 +49,116 @@ ComparisonMode comparisonModeFrom(std::string_view name, std::string_view where)
                                              "' is not right, it takes single, wipe or grid");
 }
 
-std::vector<std::string> panesOf(const Session& session) {
-  std::vector<std::string> panes = session.comparison.techniques;
-  if (panes.empty()) panes.assign(usual.begin(), usual.end());
-  if (!has(panes, session.technique)) panes.front() = session.technique;
+std::vector<Pane> linkedPanes(const std::vector<std::string>& techniques) {
+  std::vector<Pane> panes;
+  for (const std::string& id : techniques) panes.push_back({id, {}});
   return panes;
 }
 
-std::string wipeTechniqueOf(const Session& session) {
-  const std::vector<std::string> panes = panesOf(session);
-  return panes[panes.front() == session.technique ? 1 : 0];
+Comparison comparisonOf(const Session& session) {
+  Comparison comparison = session.comparison;
+  std::vector<Pane>& panes = comparison.panes;
+  std::size_t& active = comparison.active;
+  if (panes.empty()) panes = linkedPanes({usual.begin(), usual.end()});
+  if (active >= panes.size()) active = 0;
+  if (panes[active].technique != session.technique) {  // chosen while nothing was compared
+    const std::size_t place = findLinked(panes, session.technique, active);
+    if (place < panes.size() && panes[active].linked())
+      active = place;
+    else
+      panes[active].technique = session.technique;
+    if (panes[active].own.parameters)
+      panes[active].own.parameters = parametersOf(session, session.technique);
+  }
+  if (comparison.mode == ComparisonMode::Wipe && active > 1)
+    std::swap(panes[1], panes[std::exchange(active, 1)]);
+  return comparison;
+}
+
+std::size_t shownPanes(const Comparison& comparison) {
+  switch (comparison.mode) {
+    case ComparisonMode::Wipe:
+      return 2;
+    case ComparisonMode::Grid:
+      return comparison.panes.size();
+    case ComparisonMode::Single:
+      break;
+  }
+  return 1;
+}
+
+void exchangeActive(Session& session) {
+  if (session.comparison.panes.empty()) return;
+  Pane& pane = session.comparison.panes[session.comparison.active];
+  visitFrame(pane.own, session.frame, [](auto& own, auto& setting) {
+    if (own) std::swap(*own, setting);
+  });
+  if (!pane.own.parameters) return;
+  ParameterValues values = parametersOf(session, pane.technique);
+  std::swap(values, *pane.own.parameters);
+  setParameters(session, pane.technique, std::move(values));
+}
+
+void activatePane(Session& session, std::size_t pane) {
+  session.comparison = comparisonOf(session);
+  exchangeActive(session);
+  session.comparison.active = pane;
+  session.technique = session.comparison.panes[pane].technique;
+  exchangeActive(session);
+}
+
+Session activated(const Session& session, std::size_t pane) {
+  Session other = session;
+  activatePane(other, pane);
+  return other;
 }
 
 void chooseTechnique(Session& session, const std::string& id) {
-  const std::string before = session.technique;
-  if (id == before) return;
-  if (session.comparison.mode == ComparisonMode::Wipe) {
-    // The right side stays, or takes what the left one had.
-    const std::string right = wipeTechniqueOf(session);
-    std::vector<std::string> panes = panesOf(session);
-    replace(panes, before, id);
-    session.technique = id;
-    session.comparison.techniques = panes;
-    return choosePane(session, wipeTechniqueOf(session), id == right ? before : right);
-  }
-  if (session.comparison.mode == ComparisonMode::Grid) {
-    std::vector<std::string> panes = panesOf(session);
-    replace(panes, before, id);
-    session.comparison.techniques = panes;
-  }
-  session.technique = id;
+  if (id == session.technique) return;
+  const ComparisonMode mode = session.comparison.mode;
+  const Comparison comparison = comparisonOf(session);
+  const Pane& active = comparison.panes[comparison.active];
+  if (mode == ComparisonMode::Single && active.linked()) return void(session.technique = id);
+  const std::size_t place = findLinked(comparison.panes, id, comparison.active);
+  if (active.linked() && place < shownPanes(comparison)) return activatePane(session, place);
+  choosePane(session, comparison.active, id);
 }
 
-void choosePane(Session& session, const std::string& current, const std::string& id) {
-  if (current == id) return;
-  std::vector<std::string> panes = panesOf(session);
-  const bool active = current == session.technique;
-  const auto place = std::find(panes.begin(), panes.end(), current);
-  const auto other = std::find(panes.begin(), panes.end(), id);
-  if (place == panes.end()) return;
-  if (other != panes.end())
-    std::iter_swap(place, other);
-  else
-    *place = id;
-  session.comparison.techniques = panes;
-  // Whoever changes the active pane means to look at another technique there; a wipe's sides
-  // change places when the right one becomes the left one.
-  if (active)
-    session.technique = id;
-  else if (session.comparison.mode == ComparisonMode::Wipe && id == session.technique)
-    session.technique = current;
+void choosePane(Session& session, std::size_t pane, const std::string& id) {
+  session.comparison = comparisonOf(session);
+  std::vector<Pane>& panes = session.comparison.panes;
+  std::size_t& active = session.comparison.active;
+  if (panes[pane].technique == id) return;
+  const std::size_t other = findLinked(panes, id, pane);
+  if (other == panes.size() || !panes[pane].linked()) return exchangeTechnique(session, pane, id);
+  std::swap(panes[pane], panes[other]);
+  // Whoever changes the active pane means to look at another technique there; elsewhere the active
+  // one goes where it was sent.
+  if (active == other) active = pane;
+  session.technique = panes[active].technique;
+}
+
+void setMode(Session& session, ComparisonMode mode) {
+  session.comparison.mode = mode;
+  if (mode != ComparisonMode::Single) session.comparison = comparisonOf(session);
 }
 
 void setPaneCount(Session& session, std::size_t count, const std::vector<std::string>& known) {
-  std::vector<std::string> panes = panesOf(session);
+  setMode(session, ComparisonMode::Grid);
+  std::vector<Pane>& panes = session.comparison.panes;
+  std::size_t& active = session.comparison.active;
   while (panes.size() > count) {
-    const auto last = std::find_if(panes.rbegin(), panes.rend(),
-                                   [&](const std::string& id) { return id != session.technique; });
-    panes.erase(std::next(last).base());
+    const std::size_t last = panes.size() - 1;
+    if (active == last) std::swap(panes[last], panes[--active]);
+    panes.pop_back();
   }
   const auto addFrom = [&](const auto& ids) {
     for (const auto& id : ids)
-      if (panes.size() < count && !has(panes, id)) panes.emplace_back(id);
+      if (panes.size() < count && findLinked(panes, id, panes.size()) == panes.size())
+        panes.push_back({std::string(id), {}});
   };
   addFrom(usual);
   addFrom(known);
-  session.comparison.techniques = panes;
 }
 
 }  // namespace umbra

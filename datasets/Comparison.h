@@ -1,24 +1,58 @@
-// Techniques beside each other in the window: which, and how.
+// Panes beside each other in the window: which techniques, with which settings, and how.
+//
+// Panes share the session's settings, unless one has some of its own. One pane is the active one:
+// the session's technique and settings are its own, and whatever edits the session edits them.
 #pragma once
 
 #include <cstddef>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "filters/core/FrameSettings.h"
+#include "filters/core/Parameters.h"
 
 namespace umbra {
 
 struct Session;
 
-// One picture; one picture of two techniques with a line between them; a pane for each technique.
+// One picture; one picture of two panes with a line between them; the panes beside each other.
 enum class ComparisonMode { Single, Wipe, Grid };
 
+// Values that differ from the defaults, by parameter.
+using ParameterValues = std::map<std::string, ParameterValue>;
+
+// Settings that a pane may have of its own: those that are set here.
+struct PaneSettings {
+  std::optional<ParameterValues> parameters;  // of the pane's technique
+  std::optional<Kernel> kernel;
+  std::optional<ReadSettings> read;
+  std::optional<StorageFormat> format;
+  std::optional<int> mapSize, samples;  // MapSettings::size, ::samples
+  std::optional<CascadeSettings> cascades;
+  std::optional<Bias> bias;
+
+  bool operator==(const PaneSettings&) const = default;
+};
+
+struct Pane {
+  std::string technique;
+  // Of the active pane the same ones are set, but their values are what the others share, since
+  // its own are the session's: activePane() exchanges the two.
+  PaneSettings own;
+
+  bool linked() const { return own == PaneSettings{}; }  // shares every setting
+  bool operator==(const Pane&) const = default;
+};
+
 struct Comparison {
-  static constexpr std::size_t fewest = 2, most = 6;  // techniques
+  static constexpr std::size_t fewest = 2, most = 6;  // panes
 
   ComparisonMode mode = ComparisonMode::Single;
-  // In the order of the panes, none twice, `fewest` … `most`; none: a choice of the program's.
-  std::vector<std::string> techniques;
+  std::vector<Pane> panes;  // `fewest` … `most`; none: a choice of the program's
+  std::size_t active = 0;   // of `panes`
   double wipe = 0.5;  // where the line is: the part of the picture's width to its left, 0 … 1
 
   bool operator==(const Comparison&) const = default;
@@ -29,17 +63,44 @@ std::string_view nameOf(ComparisonMode mode);
 // begins with: a file and key.
 ComparisonMode comparisonModeFrom(std::string_view name, std::string_view where);
 
-// The techniques of the panes; the session's is one of them.
-std::vector<std::string> panesOf(const Session& session);
-// What a wipe shows to the right of its line; the session's technique is on the left.
-std::string wipeTechniqueOf(const Session& session);
+// Calls `visit(own, setting)` for every setting of a frame that a pane may have of its own.
+template <class Settings, class Frame, class Visit>
+void visitFrame(Settings& own, Frame& frame, Visit visit) {
+  visit(own.kernel, frame.kernel);
+  visit(own.read, frame.read);
+  visit(own.format, frame.map.format);
+  visit(own.mapSize, frame.map.size);
+  visit(own.samples, frame.map.samples);
+  visit(own.cascades, frame.map.cascades);
+  visit(own.bias, frame.bias);
+}
 
-// Makes `id` the session's technique: in a comparison it takes the place of the one that was,
-// unless a pane has it already.
+// Panes that share every setting.
+std::vector<Pane> linkedPanes(const std::vector<std::string>& techniques);
+
+// The session's comparison with panes in any case, the active one of the session's technique. A
+// wipe's sides are its first two panes, left and right, one of which is active.
+Comparison comparisonOf(const Session& session);
+// How many of its panes are to be seen.
+std::size_t shownPanes(const Comparison& comparison);
+
+// The session as it is while that pane of comparisonOf() is the active one. The others stay as they
+// are.
+void activatePane(Session& session, std::size_t pane);
+Session activated(const Session& session, std::size_t pane);
+// Exchanges the active pane's settings in the session with what the other panes share, which stand
+// in the pane: done twice, all is as before.
+void exchangeActive(Session& session);
+
+// Makes `id` the session's technique. In a comparison a linked pane that shows it already becomes
+// the active one; else the active pane shows it.
 void chooseTechnique(Session& session, const std::string& id);
-// Shows `id` in the pane of `current`; where another pane has it, the two change places.
-void choosePane(Session& session, const std::string& current, const std::string& id);
-// Shows that many panes, the session's technique among them. `known` are techniques to add from.
+// Shows `id` in a pane; where that and another one are linked, and the other has it, the two change
+// places.
+void choosePane(Session& session, std::size_t pane, const std::string& id);
+
+void setMode(Session& session, ComparisonMode mode);
+// Shows that many panes, the active one among them. `known` are techniques to add from.
 void setPaneCount(Session& session, std::size_t count, const std::vector<std::string>& known);
 
 }  // namespace umbra

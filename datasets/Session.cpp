@@ -18,12 +18,23 @@ void setAll(const ParameterValues& values, std::span<const Parameter> parameters
 std::unique_ptr<Technique> unlimited(const Session& session, const TechniqueCatalogue& catalogue,
                                      const std::string& id) {
   std::unique_ptr<Technique> technique = catalogue.make(id);
-  if (const auto set = session.parameters.find(id); set != session.parameters.end())
-    setAll(set->second, technique->parameters(), id);
+  setAll(parametersOf(session, id), technique->parameters(), id);
   return technique;
 }
 
 }  // namespace
+
+ParameterValues parametersOf(const Session& session, const std::string& id) {
+  const auto set = session.parameters.find(id);
+  return set == session.parameters.end() ? ParameterValues{} : set->second;
+}
+
+void setParameters(Session& session, const std::string& id, ParameterValues values) {
+  if (values.empty())
+    session.parameters.erase(id);
+  else
+    session.parameters[id] = std::move(values);
+}
 
 std::unique_ptr<Technique> techniqueOf(const Session& session, const TechniqueCatalogue& catalogue,
                                        const std::string& id, std::vector<std::string>* notices) {
@@ -46,10 +57,7 @@ void editParameters(Session& session, const TechniqueCatalogue& catalogue, const
   for (const Parameter& parameter : parameters)
     if (const ParameterValue value = parameter.get(); value != parameter.defaultValue)
       values[std::string(parameter.name)] = value;
-  if (values.empty())
-    session.parameters.erase(id);
-  else
-    session.parameters[id] = std::move(values);
+  setParameters(session, id, std::move(values));
 }
 
 void checkTogether(const ParameterValues& values, Technique& technique, std::string_view where) {

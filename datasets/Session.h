@@ -33,8 +33,7 @@ struct SceneSource {
   bool operator==(const SceneSource&) const = default;
 };
 
-// Values that differ from the defaults, by parameter; and those by technique.
-using ParameterValues = std::map<std::string, ParameterValue>;
+// By technique.
 using TechniqueParameters = std::map<std::string, ParameterValues>;
 
 struct Session {
@@ -55,6 +54,10 @@ struct Session {
 
   bool operator==(const Session&) const = default;
 };
+
+// The values of the technique `id` that differ from the defaults.
+ParameterValues parametersOf(const Session& session, const std::string& id);
+void setParameters(Session& session, const std::string& id, ParameterValues values);
 
 // The technique `id` with the session's parameters, limited to the session's storage format.
 // `notices` receives a sentence for each value that was limited. Throws BadInput for a parameter

@@ -1,15 +1,15 @@
 #include "datasets/SessionFile.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "datasets/JsonObject.h"
 #include "datasets/JsonText.h"
+#include "datasets/SessionFileCompare.h"
 #include "datasets/SessionFileFrame.h"
+#include "datasets/SessionFileParameters.h"
 #include "datasets/SessionFileProbes.h"
 #include "filters/core/AtomicFile.h"
 #include "filters/core/Error.h"
-#include "filters/core/Text.h"
 
 namespace umbra {
 
@@ -100,69 +100,11 @@ Light lightFrom(JsonObject& object) {
   return light;
 }
 
-ParameterValue valueFrom(const Json& json, const std::string& where) {
-  if (json.is_number_integer() && std::abs(json.get<double>()) < 1e9) return json.get<int>();
-  if (json.is_number()) return json.get<double>();
-  if (json.is_string()) return json.get<std::string>();
-  if (json.is_array()) {
-    std::vector<double> list;
-    for (const Json& element : json) list.push_back(numberAt(element, where));
-    return list;
-  }
-  throw Error(ErrorKind::BadInput, where + ": " + json.dump() + " is no parameter's value");
-}
-
-// Checked against the techniques' own tables, so that an error names its key here and not later.
-void readParameters(JsonObject& object, TechniqueParameters& parameters) {
-  const TechniqueCatalogue catalogue = allTechniques();
-  object.readRest([&](const std::string& id, const Json& values, const std::string& where) {
-    if (!catalogue.has(id))
-      throw Error(ErrorKind::BadInput, where + ": there is no such technique");
-    const std::unique_ptr<Technique> technique = catalogue.make(id);
-    const std::vector<Parameter> known = technique->parameters();
-    JsonObject(values, where)
-        .readRest([&](const std::string& name, const Json& value, const std::string& place) {
-          const Parameter& parameter = parameterNamed(known, name, place);
-          parameter.set(valueFrom(value, place), place);
-          parameters[id][name] = parameter.get();
-        });
-    if (parameters.contains(id)) checkTogether(parameters[id], *catalogue.make(id), where);
-  });
-}
-
-Json comparisonJson(const Comparison& comparison) {
-  return {{"mode", nameOf(comparison.mode)},
-          {"techniques", comparison.techniques},
-          {"wipe", comparison.wipe}};
-}
-
-void readComparison(JsonObject& object, Comparison& comparison) {
-  object.readName("mode", [&](const std::string& name, const std::string& where) {
-    comparison.mode = comparisonModeFrom(name, where);
-  });
-  object.readList("techniques", [&](const Json& element, const std::string& where) {
-    const std::string id = element.is_string() ? element.get<std::string>() : element.dump();
-    if (!allTechniques().has(id))
-      throw Error(ErrorKind::BadInput, where + ": there is no technique " + id);
-    auto& ids = comparison.techniques;
-    if (std::find(ids.begin(), ids.end(), id) != ids.end())
-      throw Error(ErrorKind::BadInput, where + ": has " + id + " twice, each is compared once");
-    ids.push_back(id);
-  });
-  const std::size_t count = comparison.techniques.size();
-  if (count != 0 && (count < Comparison::fewest || count > Comparison::most))
-    throw Error(ErrorKind::BadInput, object.where() + ".techniques: there are " +
-                                         std::to_string(count) + ", two to six are compared");
-  object.read("wipe", comparison.wipe, 0.0, 1.0);
-}
-
 }  // namespace
 
-Json toJson(const ParameterValue& value) {
-  return std::visit([](const auto& held) { return Json(held); }, value);
-}
-
-Json toJson(const Session& session) {
+Json toJson(const Session& active) {
+  Session session = active;
+  if (!(session.comparison == Comparison{})) takeApart(session);
   Json json{{"format", formatName}, {"source", sourceJson(session.source)}};
   if (session.light) json["light"] = lightJson(*session.light);
   if (session.camera) json["camera"] = cameraJson(*session.camera);
@@ -170,8 +112,8 @@ Json toJson(const Session& session) {
   json["technique"] = session.technique;
   json["parameters"] = Json::object();
   for (const auto& [id, values] : session.parameters)
-    for (const auto& [name, value] : values) json["parameters"][id][name] = toJson(value);
-  if (!(session.comparison == Comparison{})) json["compare"] = comparisonJson(session.comparison);
+    if (!values.empty()) json["parameters"][id] = toJson(values);
+  if (!(session.comparison == Comparison{})) json["compare"] = comparisonJson(session);
   json["size"] = {session.width, session.height};
   if (session.probe) json["probe"] = {session.probe->x, session.probe->y};
   if (session.receiver) json["receiver"] = *session.receiver;
@@ -199,8 +141,8 @@ Session sessionFrom(const Json& json, std::string_view where) {
   object.readObject("parameters", [&](JsonObject& parameters) {
     readParameters(parameters, session.parameters);
   });
-  object.readObject(
-      "compare", [&](JsonObject& comparison) { readComparison(comparison, session.comparison); });
+  object.readObject("compare",
+                    [&](JsonObject& comparison) { readComparison(comparison, session); });
   double receiver = -1.0;
   object.read("receiver", receiver, 0.0, 1.0);
   if (receiver >= 0.0) session.receiver = receiver;

@@ -15,7 +15,10 @@
 //                      "cullFrontFaces": false}},
 //  "technique": "vsm",
 //  "parameters": {"vsm": {"min-variance": 1e-5}, "lvsm": {"splits": [0.2, 0.5]}},
-//  "compare": {"mode": "grid", "techniques": ["vsm", "lvsm"], "wipe": 0.5},
+//  "compare": {"mode": "grid", "techniques": ["vsm", "lvsm"]
+//              | "panes": [{"technique": "vsm"},
+//                          {"technique": "vsm", "active": true, "kernel": {"radius": 12},
+//                           "parameters": {"bleed-reduction": 0.3}}], "wipe": 0.5},
 //  "size": [1280, 720], "probe": [x, y], "receiver": 0.7,
 //  "probes": [{"name": "bench", "point": [x,y,z] | "texel": [x, y], "receiver": 0.7}],
 //  "keptProbe": "bench"}
@@ -23,7 +26,9 @@
 // Every key but "format" may be absent and then has its default; "light" and "camera" absent means
 // the scene's own, "frozen" absent that the cascades follow the camera.
 // A saved session has "compare" once something was compared, "probes" once one was kept, and
-// "keptProbe" while "probe" is at one of them.
+// "keptProbe" while "probe" is at one of them. A pane may have of its own what "parameters" has for
+// its technique and what "frame" has, but "view"; "parameters" and "frame" are what panes share. One
+// pane is active: the first of the session's technique where none says so.
 #pragma once
 
 #include <filesystem>
@@ -32,11 +37,11 @@
 #include <string_view>
 
 #include "datasets/Session.h"
+#include "datasets/SessionFileParameters.h"
 
 namespace umbra {
 
 nlohmann::ordered_json toJson(const Session& session);
-nlohmann::ordered_json toJson(const ParameterValue& value);
 // `where` is what errors begin with, the file's name. Throws BadInput for an unknown key, a wrong
 // type, a value out of range, an unknown technique or parameter, a light or camera without picture,
 // parameters that contradict each other: each names its key.

@@ -97,6 +97,13 @@ Json frameJson(const FrameSettings& frame) {
 }
 
 void readFrame(JsonObject& object, FrameSettings& frame) {
+  readMapAndReads(object, frame);
+  object.readName("view", [&](const std::string& name, const std::string& where) {
+    frame.view = viewModeFrom(name, where);
+  });
+}
+
+void readMapAndReads(JsonObject& object, FrameSettings& frame) {
   object.read("mapSize", frame.map.size, MapSettings::smallest, MapSettings::largest);
   object.readName("format", [&](const std::string& name, const std::string& where) {
     frame.map.format = storageFormatFrom(name, where);
@@ -109,9 +116,6 @@ void readFrame(JsonObject& object, FrameSettings& frame) {
   readSamples(object, frame.map.samples);
   object.readObject("cascades",
                     [&](JsonObject& cascades) { readCascades(cascades, frame.map.cascades); });
-  object.readName("view", [&](const std::string& name, const std::string& where) {
-    frame.view = viewModeFrom(name, where);
-  });
   object.readObject("kernel", [&](JsonObject& kernel) {
     kernel.readName("shape", [&](const std::string& name, const std::string& where) {
       frame.kernel.shape = kernelShapeFrom(name, where);

@@ -18,5 +18,6 @@ nlohmann::ordered_json frameJson(const FrameSettings& frame);
 void readPoint(JsonObject& object, std::string_view key, Eigen::Vector3d& target);
 Camera cameraFrom(JsonObject& object);
 void readFrame(JsonObject& object, FrameSettings& frame);
+void readMapAndReads(JsonObject& object, FrameSettings& frame);  // all but "view"
 
 }  // namespace umbra

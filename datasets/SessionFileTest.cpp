@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "datasets/PaneEditing.h"
 #include "filters/core/Error.h"
 
 namespace umbra {
@@ -38,7 +39,7 @@ Session unusualSession() {
   session.technique = "power-cdf";
   session.parameters = {{"vsm", {{"min-variance", 1.0 / 3.0 * 1e-3}}},
                         {"csm", {{"terms", 8}, {"mode", std::string("scale")}}}};
-  session.comparison = {ComparisonMode::Wipe, {"csm", "power-cdf", "msm"}, 0.375};
+  session.comparison = {ComparisonMode::Wipe, linkedPanes({"csm", "power-cdf", "msm"}), 1, 0.375};
   session.width = 640;
   session.height = 480;
   session.probe = Pixel{17, 23};
@@ -199,7 +200,8 @@ TEST_F(SessionFileTest, ComparisonsWithoutPanesAreRefused) {
   EXPECT_EQ(errorOf(sessionWith(R"("compare": {"techniques": ["vsm", "vsmm"]})")),
             "s.json: compare.techniques[2]: there is no technique vsmm");
   EXPECT_EQ(errorOf(sessionWith(R"("compare": {"techniques": ["vsm", "vsm"]})")),
-            "s.json: compare.techniques[2]: has vsm twice, each is compared once");
+            "s.json: compare.techniques[2]: has vsm twice, each is compared once unless \"panes\" "
+            "set it apart");
   EXPECT_EQ(errorOf(sessionWith(R"("compare": {"techniques": ["vsm"]})")),
             "s.json: compare.techniques: there are 1, two to six are compared");
   EXPECT_EQ(errorOf(sessionWith(R"("compare": {"wipe": 2})")),
@@ -255,6 +257,103 @@ TEST_F(SessionFileTest, KeptProbesThatCannotBeAreRefused) {
   EXPECT_EQ(probesError(first + R"(], "keptProbe": "a")"),
             "s.json: keptProbe: needs a 'probe', the pixel or texel it is at");
   EXPECT_EQ(probesError(first + R"(], "keptProbe": "a", "probe": [0, 0])"), "no error");
+}
+
+// Two panes of one technique, of which the active one has everything of its own.
+Session comparingSettings() {
+  Session session = unusualSession();
+  session.technique = "csm";
+  session.frame.read.filter = ReadFilter::Bilinear;
+  session.comparison = {ComparisonMode::Grid, linkedPanes({"csm", "power-cdf", "msm"}), 0, 0.375};
+  setOwn(session, 1, PaneSetting::Format, true);
+  session.comparison.panes[1].own.format = StorageFormat::Unorm16;
+  duplicatePane(session, 0);
+  session.frame.kernel = {KernelShape::Box, 12, 0.0};
+  session.frame.read = {ReadFilter::Anisotropic, 16, SatSize::Fixed, SatPrecision::Integer, 2.5};
+  session.frame.bias = {0.0, 0.5, true, false};
+  session.frame.map = {256, StorageFormat::Float, 1, {}};
+  setParameters(session, "csm", {{"terms", 4}});
+  return session;
+}
+
+TEST_F(SessionFileTest, SettingsOfPanesSurvive) {
+  const Session session = comparingSettings();
+  const Session read = sessionFromText(sessionToText(session), "s.json");
+  EXPECT_EQ(read, session);
+  for (std::size_t pane = 0; pane < session.comparison.panes.size(); ++pane)
+    EXPECT_EQ(activated(read, pane).frame, activated(session, pane).frame) << pane;
+  // Whichever of them is active.
+  for (const std::size_t pane : {0u, 2u})
+    EXPECT_EQ(sessionFromText(sessionToText(activated(session, pane)), "s.json"),
+              activated(session, pane));
+  Session fresh = unusualSession();
+  fresh.comparison.mode = ComparisonMode::Grid;
+  duplicatePane(fresh, 1);
+  EXPECT_EQ(sessionFromText(sessionToText(fresh), "s.json"), fresh);
+}
+
+TEST_F(SessionFileTest, AFileHasWhatPanesShareAndWhatIsTheirOwn) {
+  const auto json = toJson(comparingSettings());
+  EXPECT_EQ(json.at("frame").at("kernel").at("radius"), 7);
+  EXPECT_EQ(json.at("parameters").at("csm").at("terms"), 8);
+  const auto& panes = json.at("compare").at("panes");
+  EXPECT_EQ(panes.at(0).dump(), R"({"technique":"csm"})");
+  EXPECT_EQ(panes.at(1).at("active"), true);
+  EXPECT_EQ(panes.at(1).at("kernel").at("radius"), 12);
+  EXPECT_EQ(panes.at(1).at("parameters").dump(), R"({"terms":4})");
+  EXPECT_EQ(panes.at(2).dump(), R"({"technique":"power-cdf","format":"unorm16"})");
+}
+
+TEST_F(SessionFileTest, WhatAPaneDoesNotSayItShares) {
+  const Session session = sessionFromText(
+      sessionWith(R"("frame": {"mapSize": 512, "kernel": {"shape": "gaussian", "radius": 3}},
+        "compare": {"mode": "grid", "panes": [
+          {"technique": "vsm"}, {"technique": "vsm", "kernel": {"radius": 12}}]})"),
+      "s.json");
+  EXPECT_EQ(session.comparison.active, 0u);
+  const Session second = activated(session, 1);
+  EXPECT_EQ(second.frame.kernel, (Kernel{KernelShape::Gaussian, 12, 0.0}));
+  EXPECT_EQ(second.frame.map.size, 512);
+  EXPECT_FALSE(hasOwn(session.comparison.panes[1], PaneSetting::MapSize));
+  EXPECT_FALSE(hasOwn(session.comparison.panes[1], PaneSetting::Parameters));
+}
+
+TEST_F(SessionFileTest, PanesThatCannotBeAreRefused) {
+  const auto panesError = [](const std::string& panes) {
+    return errorOf(sessionWith(R"("compare": {"panes": [)" + panes + "]}"));
+  };
+  const std::string vsm = R"({"technique": "vsm"}, )";
+  EXPECT_EQ(panesError(vsm + R"({"technique": "vsn"})"),
+            "s.json: compare.panes[2].technique: there is no 'vsn'; did you mean 'vsm'?");
+  EXPECT_EQ(panesError(vsm + R"({"kernel": {"radius": 2}})"),
+            "s.json: compare.panes[2]: needs a \"technique\"");
+  EXPECT_EQ(panesError(vsm + R"({"technique": "vsm", "kernel": {"radius": 200}})"),
+            "s.json: compare.panes[2].kernel.radius: 200 is not right, it takes a whole number "
+            "from 0 to 64");
+  EXPECT_EQ(panesError(vsm + R"({"technique": "vsm", "parameters": {"bleed-reductoin": 0.3}})"),
+            "s.json: compare.panes[2].parameters.bleed-reductoin: there is no parameter "
+            "'bleed-reductoin'; did you mean 'bleed-reduction'?");
+  EXPECT_EQ(panesError(vsm + R"({"technique": "lvsm",
+                                 "parameters": {"splits": [0.2, 0.5], "layers": 7}})"),
+            "s.json: compare.panes[2].parameters.layers: '7' contradicts the other parameters, "
+            "which make it '3'");
+  EXPECT_EQ(panesError(vsm + R"({"technique": "vsm", "view": "error"})")
+                .find("s.json: compare.panes[2].view: there is no such key"),
+            0u);
+  EXPECT_EQ(panesError(vsm + R"("msm")"),
+            "s.json: compare.panes[2]: \"msm\" should be an object {…}");
+  EXPECT_EQ(panesError(R"({"technique": "vsm"})"),
+            "s.json: compare.panes: there are 1, two to six are compared");
+  EXPECT_EQ(panesError(R"({"technique": "vsm", "active": true}, )" +
+                       std::string(R"({"technique": "vsm", "active": true})")),
+            "s.json: compare.panes[2].active: one before it is active, only one can be");
+  EXPECT_EQ(panesError(vsm + R"({"technique": "msm", "active": true})"),
+            "s.json: compare.panes[2]: should show vsm, which \"technique\" says");
+  EXPECT_EQ(panesError(R"({"technique": "msm"}, {"technique": "esm"})"),
+            "s.json: compare.panes: should show vsm, which \"technique\" says");
+  EXPECT_EQ(errorOf(sessionWith(
+                R"("compare": {"techniques": ["vsm", "msm"], "panes": [{"technique": "vsm"}]})")),
+            "s.json: compare.panes[1]: \"techniques\" has the panes, it takes one of the two");
 }
 
 TEST_F(SessionFileTest, ParametersThatContradictEachOtherAreRefused) {

@@ -61,7 +61,7 @@ CentrePane::CentrePane(SessionController& controller, SceneView& view, Prober& p
             refresh();
             if (!(before.session.comparison == after.session.comparison)) showReport();
           });
-  connect(&prober_, &Prober::reported, this, &CentrePane::showReport);
+  connect(comparison_, &ComparisonPanes::figuresChanged, this, &CentrePane::showReport);
   refresh();
 }
 
@@ -118,14 +118,13 @@ void CentrePane::refresh() {
 }
 
 // In a wipe, that of the side on which the probe lies.
-std::string CentrePane::techniqueAtProbe() const {
-  const Session& session = controller_.session();
+std::size_t CentrePane::paneAtProbe() const {
+  const Comparison& comparison = controller_.session().comparison;
   const auto& report = prober_.behindVeil();
-  if (session.comparison.mode != ComparisonMode::Wipe || !report || !report->point)
-    return session.technique;
+  if (comparison.mode != ComparisonMode::Wipe || !report || !report->point)
+    return comparison_->active();
   const auto pixel = view_.pixelOf(*report->point);
-  const bool right = pixel && pixel->x + 0.5 > session.comparison.wipe * view_.pixels().width();
-  return right ? wipeTechniqueOf(session) : session.technique;
+  return pixel && pixel->x + 0.5 > comparison.wipe * view_.pixels().width() ? 1 : 0;
 }
 
 void CentrePane::showReport() {
@@ -141,26 +140,22 @@ void CentrePane::showReport() {
       report ? QString()
              : tr("Point at a shadow to take it apart. Click to hold the point, K keeps it."));
   const Session& session = controller_.session();
-  const std::string id = techniqueAtProbe();
-  const TechniqueResult* result = report ? resultOf(report->probe, id) : nullptr;
+  const auto& figures = comparison_->figures(paneAtProbe());
   // The labels of many small panes say it all.
   const bool said = session.comparison.mode == ComparisonMode::Grid && prober_.veil().isEmpty();
-  if (!result || said) {
-    view_.setReport(report, {}, {}, false);
-    return;
-  }
-  if (!prober_.veil().isEmpty())
+  if (report && !prober_.veil().isEmpty())
     return view_.setReport(report, tr("Predict first"), tr("then see what comes out here"), false);
-  const QString kernel = QString::fromStdString(describe(session.frame.kernel));
-  const bool wrong = std::string_view(verdictOf(result->error)) != verdictOf(0.0);
+  if (!report || !figures || said) return view_.setReport(report, {}, {}, false);
+  const TechniqueResult& result = figures->result;
+  const QString kernel = QString::fromStdString(describe(figures->kernel));
+  const bool wrong = std::string_view(verdictOf(result.error)) != verdictOf(0.0);
   view_.setReport(
       report,
       tr("%1, %2 · lit %3")
-          .arg(shortTitle(*result->technique), kernel, QString::number(result->visibility, 'f', 3)),
+          .arg(shortTitle(*result.technique), kernel, QString::number(result.visibility, 'f', 3)),
       tr("truth %1 · %2")
-          .arg(
-              QString::number(report->probe.reference, 'f', 3),
-              report->facesLight ? tr(verdictOf(result->error)) : tr("turned away from the light")),
+          .arg(QString::number(figures->reference, 'f', 3),
+               report->facesLight ? tr(verdictOf(result.error)) : tr("turned away from the light")),
       wrong);
 }
 

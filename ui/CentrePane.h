@@ -36,7 +36,7 @@ class CentrePane : public QWidget {
   QWidget* makeDepthPage();
   void refresh();
   void showReport();
-  std::string techniqueAtProbe() const;
+  std::size_t paneAtProbe() const;
 
   SessionController& controller_;
   SceneView& view_;

@@ -1,10 +1,10 @@
-// The picture alone, as a wipe over two techniques, or in a grid of panes with a technique each.
+// The picture alone, as a wipe over two panes, or in a grid of panes.
 #pragma once
 
 #include <QTimer>
 #include <QWidget>
-#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,14 +16,24 @@ class QGridLayout;
 namespace umbra {
 
 class PaneHeader;
+class PaneMenu;
 class Prober;
 class SceneView;
 class SessionController;
 class TechniquePicture;
 class WipeHandle;
 
-// The session's technique is drawn by the one live view, wherever its pane is. The pictures of the
-// others follow it: at once in a wipe, whose halves have to fit together, else when it rests.
+// What a pane makes of the probed point, with its own settings.
+struct PaneFigures {
+  TechniqueResult result;
+  double reference = 0.0;
+  Kernel kernel;
+  // World, the outline of its region on the surface; none where it is the report's.
+  std::vector<Eigen::Vector3d> footprint;
+};
+
+// The active pane is drawn by the one live view, wherever it is. The pictures of the others follow
+// it: at once in a wipe, whose halves have to fit together, else when it rests.
 class ComparisonPanes : public QWidget {
   Q_OBJECT
 
@@ -34,39 +44,60 @@ class ComparisonPanes : public QWidget {
   ~ComparisonPanes() override;
 
   // The techniques shown, in the order of the panes; the session's alone where none is compared.
-  const std::vector<std::string>& shown() const { return shown_; }
-  const PaneHeader& header(std::size_t pane) const { return *headers_[pane]; }
+  std::vector<std::string> shown() const;
+  std::size_t active() const { return active_; }
+  PaneHeader& header(std::size_t pane) { return *headers_[pane]; }
+  PaneMenu& menu(std::size_t pane) { return *menus_[pane]; }
   TechniquePicture& picture(std::size_t pane) { return *pictures_[pane]; }
   WipeHandle& wipe() { return *wipe_; }
+  // None without a probe, while the probe is hidden from the pane, and until its picture is drawn.
+  const std::optional<PaneFigures>& figures(std::size_t pane) const { return figures_[pane]; }
   // Every picture shows what the live view shows.
   bool upToDate() const;
 
  signals:
   void failed(const QString& message);
+  void figuresChanged();
 
  private:
+  // A pane as the session would be with it as the active one.
+  struct Shown {
+    Session session;
+    std::shared_ptr<const Technique> technique;
+    QString refusal;  // why it cannot be drawn
+  };
   struct Drawn {
     PictureSubject subject;
     std::shared_ptr<const Technique> technique;
     QImage picture;
-    QString problem;  // why there is none
+    FrameEvidence evidence;
+    QString problem;  // why there is no picture
   };
+  using DrawnPicture = std::shared_ptr<const Drawn>;
 
   ComparisonMode mode() const;
   void makePanes();
-  void arrange();
-  void arrangeGrid();
-  void takeApart();
   void refresh();
-  void showErrors();
+  // ComparisonPanesLayout.cpp
+  void arrange();
+  void labelHeaders();
+  void placePanes();
+  void placeGrid();
+  void takeApart();
+  std::vector<Shown> panesToShow() const;
+  // ComparisonPanesDrawing.cpp
   void showPictures();
   void schedule();
   void drawNext();
-  std::vector<std::string> outOfDate() const;
-  bool isCurrent(const std::string& id) const;
-  Drawn drawingOf(const std::string& id);
-  PictureSubject subject() const;
-  const std::shared_ptr<const Technique>& techniqueOf(const std::string& id) const;
+  std::vector<std::size_t> outOfDate() const;
+  DrawnPicture drawnAsIs(std::size_t pane) const;  // the picture of exactly what the pane shows
+  DrawnPicture pictureToShow(std::size_t pane);
+  DrawnPicture draw(std::size_t pane);
+  PictureSubject subject(std::size_t pane) const;
+  // ComparisonPanesFigures.cpp
+  void refreshFigures();
+  void showErrors();
+  std::optional<PaneFigures> figuresOf(std::size_t pane);
 
   SessionController& controller_;
   SceneView& view_;
@@ -74,13 +105,16 @@ class ComparisonPanes : public QWidget {
   QGridLayout* grid_;
   WipeHandle* wipe_;
   std::vector<PaneHeader*> headers_;  // as many as there can be panes
+  std::vector<PaneMenu*> menus_;
   std::vector<TechniquePicture*> pictures_;
   ComparisonMode arranged_ = ComparisonMode::Single;
-  std::vector<std::string> shown_;
-  std::string live_;  // the technique of the live view when the panes were arranged
-  std::map<std::string, Drawn> drawn_;           // by technique
-  std::unique_ptr<TechniquePictures> renderer_;  // once something is compared
-  PictureSubject scheduled_;
+  std::vector<Shown> shown_;
+  std::size_t active_ = 0;                           // of shown_
+  std::vector<std::optional<PaneFigures>> figures_;  // of every pane
+  std::vector<DrawnPicture> recent_;                 // the newest first
+  std::vector<DrawnPicture> latest_;                 // of every pane, what it showed last
+  std::unique_ptr<TechniquePictures> renderer_;      // once something is compared
+  std::vector<PictureSubject> scheduled_;
   QTimer timer_;
 };
 

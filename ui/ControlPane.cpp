@@ -1,7 +1,10 @@
 #include "ui/ControlPane.h"
 
+#include <QLabel>
 #include <QVBoxLayout>
+#include <algorithm>
 
+#include "datasets/PaneEditing.h"
 #include "filters/core/Composition.h"
 #include "ui/Prober.h"
 #include "ui/ReductionTools.h"
@@ -17,6 +20,7 @@ ControlPane::ControlPane(SessionController& controller, Prober& prober, SceneVie
                          QWidget* parent)
     : QScrollArea(parent),
       controller_(controller),
+      scope_(new QLabel),
       techniques_(new TechniqueList),
       parameters_(new ParameterForm),
       frame_(new FrameSettingsForm),
@@ -30,6 +34,11 @@ ControlPane::ControlPane(SessionController& controller, Prober& prober, SceneVie
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(8);
   parameters_->setTools(reduction_);
+  scope_->setObjectName("scope");
+  scope_->setWordWrap(true);
+  scope_->setContentsMargins(6, 4, 6, 0);
+  scope_->setStyleSheet(QString("color: %1").arg(style::accent.name()));
+  layout->addWidget(scope_);
   layout->addWidget(techniques_);
   layout->addWidget(parameters_);
   layout->addWidget(frame_);
@@ -69,7 +78,27 @@ ControlPane::ControlPane(SessionController& controller, Prober& prober, SceneVie
   refresh();
 }
 
+// Empty where nothing is compared.
+QString ControlPane::scope() const {
+  const Session& session = controller_.session();
+  const Comparison comparison = comparisonOf(session);
+  const std::size_t shown = shownPanes(comparison);
+  if (!controller_.document().content.scene || shown < 2) return {};
+  const Pane& active = comparison.panes[comparison.active];
+  const auto end = comparison.panes.begin() + std::ptrdiff_t(shown);
+  const auto sharing =
+      std::count_if(comparison.panes.begin(), end, [](const Pane& pane) { return pane.linked(); });
+  if (active.linked() && sharing > 1)
+    return tr("Filter and map are shared by %1 panes").arg(sharing);
+  bool alone = true;
+  for (int i = 0; i <= int(PaneSetting::Bias); ++i) alone = alone && hasOwn(active, PaneSetting(i));
+  return alone || active.linked() ? tr("Settings of the framed pane alone")
+                                  : tr("Some settings are of the framed pane alone");
+}
+
 void ControlPane::refresh() {
+  scope_->setText(scope());
+  scope_->setVisible(!scope_->text().isEmpty());
   techniques_->setCurrent(style::text(controller_.session().technique));
   techniques_->setRefusals(controller_.refusals());
   parameters_->setTechnique(controller_.technique());

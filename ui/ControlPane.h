@@ -2,8 +2,11 @@
 #pragma once
 
 #include <QScrollArea>
+#include <QString>
 
 #include "filters/core/Parameters.h"
+
+class QLabel;
 
 namespace umbra {
 
@@ -31,9 +34,11 @@ class ControlPane : public QScrollArea {
 
  private:
   void refresh();
+  QString scope() const;
   void changeParameter(const QString& name, const ParameterValue& value);
 
   SessionController& controller_;
+  QLabel* scope_;  // which panes of a comparison the controls are about
   TechniqueList* techniques_;
   ParameterForm* parameters_;
   FrameSettingsForm* frame_;

@@ -144,6 +144,7 @@ class MainWindow : public QMainWindow {
   QDockWidget* lessonDock_ = nullptr;  // not among docks_: it is there during a lesson alone
   std::vector<QDockWidget*> docks_;
   QActionGroup *modes_, *techniques_, *comparisons_ = nullptr;
+  QAction* duplicate_ = nullptr;
   QToolButton *sceneButton_ = nullptr, *adjustButton_ = nullptr;
   SceneForm* sceneForm_ = nullptr;
   QMenu *sceneMenu_ = nullptr, *exportMenu_ = nullptr;

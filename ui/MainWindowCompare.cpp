@@ -3,6 +3,7 @@
 #include <QMenu>
 #include <algorithm>
 
+#include "datasets/PaneEditing.h"
 #include "ui/CentrePane.h"
 #include "ui/ComparisonPanes.h"
 #include "ui/MainWindow.h"
@@ -25,19 +26,24 @@ constexpr double wipeStep = 0.05;  // of the picture's width
 void MainWindow::makeCompareMenu(QMenu& view) {
   QMenu* menu = view.addMenu(tr("Com&pare"));
   menu->setObjectName("compare");
+  menu->setToolTipsVisible(true);
   comparisons_ = new QActionGroup(this);
   for (const Mode& mode : comparisonModes) {
     QAction* action = addAction(*menu, tr(mode.text), QKeySequence(mode.key), [this, mode] {
-      controller_.edit(tr("Compare techniques"), [&](Session& session) {
-        session.comparison.mode = mode.mode;
-        if (mode.mode != ComparisonMode::Single) session.comparison.techniques = panesOf(session);
-      });
+      controller_.edit(tr("Compare techniques"),
+                       [&](Session& session) { setMode(session, mode.mode); });
     });
     action->setCheckable(true);
     action->setData(int(mode.mode));
     comparisons_->addAction(action);
   }
   menu->addSeparator();
+  duplicate_ = addAction(*menu, tr("&Duplicate the active pane"), QKeySequence("Ctrl+D"), [this] {
+    controller_.edit(tr("Duplicate the active pane"), [](Session& session) {
+      duplicatePane(session, comparisonOf(session).active);
+    });
+  });
+  duplicate_->setToolTip(tr("The same beside it, to be set otherwise: what one sets is its own"));
   QMenu* counts = menu->addMenu(tr("&Number of panes"));
   std::vector<std::string> known;
   for (const Technique* technique : controller_.catalogue().all())
@@ -45,10 +51,8 @@ void MainWindow::makeCompareMenu(QMenu& view) {
   for (std::size_t count = Comparison::fewest; count <= Comparison::most; ++count)
     addAction(*counts, tr("%1 panes").arg(count),
               QKeySequence(QStringLiteral("Ctrl+%1").arg(count)), [this, count, known] {
-                controller_.edit(tr("Show %1 panes").arg(count), [&](Session& session) {
-                  session.comparison.mode = ComparisonMode::Grid;
-                  setPaneCount(session, count, known);
-                });
+                controller_.edit(tr("Show %1 panes").arg(count),
+                                 [&](Session& session) { setPaneCount(session, count, known); });
               });
   menu->addSeparator();
   const auto moveWipe = [this](double by) {
@@ -68,6 +72,7 @@ void MainWindow::makeCompareMenu(QMenu& view) {
 
 void MainWindow::refreshCompareMenu() {
   const bool onScene = controller_.document().content.scene != nullptr;
+  duplicate_->setEnabled(onScene);
   for (QAction* action : comparisons_->actions()) {
     action->setChecked(action->data().toInt() == int(controller_.session().comparison.mode));
     action->setEnabled(onScene);

@@ -1,19 +1,26 @@
 #include "ui/PaneHeader.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
+#include <QContextMenuEvent>
+#include <QGridLayout>
 #include <QLabel>
+#include <QMenu>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QPixmap>
+#include <QToolButton>
 #include <string_view>
 
 #include "ui/ProbeReport.h"
+#include "ui/widgets/ElidedLabel.h"
 #include "ui/widgets/Style.h"
 
 namespace umbra {
 namespace {
 
 constexpr int chipSide = 9;  // logical pixels, as in the list of techniques
+// Logical pixels; below them technique and differences stand one above the other.
+constexpr int narrowest = 300;
 
 QPixmap chip(const QColor& colour) {
   QPixmap pixmap(chipSide, chipSide);
@@ -29,11 +36,18 @@ QString shortTitle(const Technique& technique) {
   return open >= 0 && close > open ? title.mid(open + 1, close - open - 1) : title;
 }
 
-PaneHeader::PaneHeader(const std::vector<const Technique*>& techniques, QWidget* parent)
-    : QWidget(parent), box_(new QComboBox), error_(new QLabel) {
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(6, 3, 6, 3);
-  layout->setSpacing(6);
+PaneHeader::PaneHeader(const std::vector<const Technique*>& techniques, QMenu& menu,
+                       QWidget* parent)
+    : QWidget(parent),
+      layout_(new QGridLayout(this)),
+      box_(new QComboBox),
+      differences_(new ElidedLabel),
+      error_(new QLabel),
+      menuButton_(new QToolButton),
+      menu_(menu) {
+  layout_->setContentsMargins(6, 3, 6, 3);
+  layout_->setHorizontalSpacing(6);
+  layout_->setVerticalSpacing(1);
   for (const Technique* technique : techniques) {
     const TechniqueInfo& info = technique->info();
     box_->addItem(chip(QColor(style::text(info.colour))), shortTitle(*technique),
@@ -46,12 +60,39 @@ PaneHeader::PaneHeader(const std::vector<const Technique*>& techniques, QWidget*
   box_->setIconSize({chipSide, chipSide});
   box_->setFocusPolicy(Qt::TabFocus);
   box_->setToolTip(tr("The technique of this pane"));
+  differences_->setObjectName("paneDifferences");
   error_->setFont(style::figures(error_->font()));
   error_->setObjectName("paneError");
-  layout->addWidget(box_, 1);
-  layout->addWidget(error_);
+  menuButton_->setText(QStringLiteral("⋯"));
+  menuButton_->setAutoRaise(true);
+  menuButton_->setPopupMode(QToolButton::InstantPopup);
+  menuButton_->setMenu(&menu_);
+  menuButton_->setFocusPolicy(Qt::TabFocus);
+  menuButton_->setToolTip(tr("Duplicate, share settings, close …"));
+  menuButton_->setStyleSheet(
+      "QToolButton { border: none; padding: 0 3px; }"
+      "QToolButton::menu-indicator { image: none; width: 0; }");
+  place();
   connect(box_, QOverload<int>::of(&QComboBox::activated), this,
           [this] { emit techniqueChosen(technique()); });
+}
+
+// What differs stands beside the technique, beneath it where there is little room.
+void PaneHeader::place() {
+  for (QWidget* part : {static_cast<QWidget*>(box_), static_cast<QWidget*>(differences_),
+                        static_cast<QWidget*>(error_), static_cast<QWidget*>(menuButton_)})
+    layout_->removeWidget(part);
+  layout_->addWidget(box_, 0, 0);
+  layout_->addWidget(error_, 0, 2);
+  layout_->addWidget(menuButton_, 0, 3);
+  if (twoRows_)
+    layout_->addWidget(differences_, 1, 0, 1, 4);
+  else
+    layout_->addWidget(differences_, 0, 1);
+  const bool beside = !twoRows_ && !differences_->text().isEmpty();
+  layout_->setColumnStretch(0, beside ? 0 : 1);
+  layout_->setColumnStretch(1, beside ? 1 : 0);
+  differences_->setVisible(!differences_->text().isEmpty());
 }
 
 void PaneHeader::setTechnique(const QString& id) {
@@ -62,7 +103,22 @@ QString PaneHeader::technique() const {
   return box_->currentData().toString();
 }
 
+void PaneHeader::setDifferences(const QString& text) {
+  differences_->setText(text);
+  place();
+}
+
+QString PaneHeader::differences() const {
+  return differences_->text();
+}
+
+void PaneHeader::setLinked(bool linked) {
+  setToolTip(linked ? tr("Shares its settings with the other panes that do")
+                    : tr("Has settings of its own"));
+}
+
 void PaneHeader::setActive(bool active) {
+  setCursor(active ? Qt::ArrowCursor : Qt::PointingHandCursor);
   active_ = active;
   QFont font = box_->font();
   font.setBold(active);
@@ -79,6 +135,21 @@ void PaneHeader::setError(const std::optional<double>& error) {
 
 QString PaneHeader::errorText() const {
   return error_->text();
+}
+
+void PaneHeader::resizeEvent(QResizeEvent*) {
+  const bool narrow = width() < narrowest;
+  if (narrow == twoRows_) return;
+  twoRows_ = narrow;
+  place();
+}
+
+void PaneHeader::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) emit chosen();
+}
+
+void PaneHeader::contextMenuEvent(QContextMenuEvent* event) {
+  menu_.popup(event->globalPos());
 }
 
 void PaneHeader::paintEvent(QPaintEvent*) {

@@ -1,4 +1,5 @@
-// A pane's label: its technique, to be exchanged there, and its error at the probe.
+// A pane's label: its technique, to be exchanged there, what tells it from the other panes, its
+// error at the probe, and its menu.
 #pragma once
 
 #include <QWidget>
@@ -8,9 +9,14 @@
 #include "filters/core/Technique.h"
 
 class QComboBox;
+class QGridLayout;
 class QLabel;
+class QMenu;
+class QToolButton;
 
 namespace umbra {
+
+class ElidedLabel;
 
 // "Variance (VSM)" is VSM to those who have read its title in the list.
 QString shortTitle(const Technique& technique);
@@ -19,26 +25,41 @@ class PaneHeader : public QWidget {
   Q_OBJECT
 
  public:
-  explicit PaneHeader(const std::vector<const Technique*>& techniques, QWidget* parent = nullptr);
+  PaneHeader(const std::vector<const Technique*>& techniques, QMenu& menu,
+             QWidget* parent = nullptr);
 
   void setTechnique(const QString& id);  // emits nothing
   QString technique() const;
+  // "radius 12 · half"; empty where there are none.
+  void setDifferences(const QString& text);
+  QString differences() const;
   // The pane is the one that the session's settings and the mouse are about.
   void setActive(bool active);
+  void setLinked(bool linked);  // shares its settings
   // Nothing where there is no probe.
   void setError(const std::optional<double>& error);
   QString errorText() const;
 
  signals:
   void techniqueChosen(const QString& id);  // by hand
+  void chosen();                            // by a click beside its buttons
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
+  void place();
+
+  QGridLayout* layout_;
   QComboBox* box_;
+  ElidedLabel* differences_;
   QLabel* error_;
-  bool active_ = false;
+  QToolButton* menuButton_;
+  QMenu& menu_;
+  bool active_ = false, twoRows_ = false;
 };
 
 }  // namespace umbra

@@ -73,8 +73,9 @@ void SceneOverlay::paintEvent(QPaintEvent*) {
 
 void SceneOverlay::drawCurtain(QPainter& painter) const {
   if (contents_.curtain.isNull() && contents_.curtainText.isEmpty()) return;
-  const double left = contents_.curtainAt * width();
-  const QRectF part(left, 0.0, width() - left, height());
+  const double at = contents_.curtainAt * width();
+  const QRectF part = contents_.curtainLeft ? QRectF(0.0, 0.0, at, height())
+                                            : QRectF(at, 0.0, width() - at, height());
   painter.save();
   painter.setClipRect(part);
   if (!contents_.curtain.isNull()) {

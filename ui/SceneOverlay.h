@@ -28,10 +28,11 @@ class SceneOverlay : public QWidget {
     std::vector<ProbeMark> marks;  // of the kept probes
     QString hint;                  // one sentence at the bottom; empty for none
     // Beneath all this, another picture from `curtainAt` (0 … 1) of the width on to the right, or
-    // what is said in its place.
+    // to the left, or what is said in its place.
     QImage curtain;
     QString curtainText;
     double curtainAt = 1.0;
+    bool curtainLeft = false;
   };
   void setContents(Contents contents);
   const LightHandle& handle() const { return handle_; }

@@ -137,8 +137,9 @@ void SceneView::setMarks(std::vector<ProbeMark> marks) {
   refreshOverlay();
 }
 
-void SceneView::setCurtain(const QImage& picture, double at, const QString& instead) {
+void SceneView::setCurtain(const QImage& picture, double at, const QString& instead, bool left) {
   contents_.curtain = picture;
+  contents_.curtainLeft = left;
   contents_.curtainAt = at;
   contents_.curtainText = instead;
   refreshOverlay();

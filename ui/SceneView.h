@@ -32,9 +32,9 @@ class SceneView : public QVTKOpenGLNativeWidget {
                  const QString& verdict, bool wrong);
   void setHint(const QString& hint);
   void setMarks(std::vector<ProbeMark> marks);  // of the kept probes
-  // Another picture over the right part of this one, from `at` of its width (0 … 1) on; `instead`
-  // is said there where there is none. Both empty show this one alone.
-  void setCurtain(const QImage& picture, double at, const QString& instead);
+  // Another picture over the part of this one to the right of `at` of its width (0 … 1), or to the
+  // left of it; `instead` is said there where there is none. Both empty show this one alone.
+  void setCurtain(const QImage& picture, double at, const QString& instead, bool left);
   const SceneOverlay::Contents& overlayContents() const { return contents_; }
 
   QSize pixels() const;  // of the picture

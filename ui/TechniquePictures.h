@@ -11,6 +11,7 @@
 #include "filters/core/Light.h"
 #include "filters/core/Scene.h"
 #include "filters/core/Technique.h"
+#include "ui/FrameEvidence.h"
 
 class QOffscreenSurface;
 class QOpenGLContext;
@@ -32,6 +33,11 @@ struct PictureSubject {
   bool operator==(const PictureSubject&) const = default;
 };
 
+struct TechniqueDrawing {
+  QImage picture;
+  FrameEvidence evidence;
+};
+
 // Has an OpenGL context of its own: what the screen's frame knows of its pixels stays.
 class TechniquePictures {
  public:
@@ -42,16 +48,19 @@ class TechniquePictures {
   TechniquePictures& operator=(const TechniquePictures&) = delete;
 
   // Splits that follow the map are at rest. Throws as ShadowRenderer::render does.
-  QImage draw(const PictureSubject& subject, const Technique& technique);
+  TechniqueDrawing draw(const PictureSubject& subject, const Technique& technique);
 
  private:
   void makeCurrent();
+  void readMaps(const PictureSubject& subject);
+  FrameEvidence evidence(const Technique& technique);
 
   std::unique_ptr<QOffscreenSurface> surface_;
   std::unique_ptr<QOpenGLContext> context_;
   vtkNew<vtkGenericOpenGLRenderWindow> window_;
   std::unique_ptr<ShadowRenderer> renderer_;
-  PictureSubject drawn_;
+  PictureSubject drawn_, mapsOf_;
+  std::shared_ptr<const std::vector<DepthMap>> maps_;
 };
 
 }  // namespace umbra

@@ -21,7 +21,7 @@ WipeHandle::WipeHandle(QWidget* picture) : QWidget(picture) {
   setObjectName("wipe");
   setCursor(Qt::SplitHCursor);
   setFocusPolicy(Qt::NoFocus);
-  setToolTip(tr("Drag to see more of one technique or of the other"));
+  setToolTip(tr("Drag to see more of one side or of the other"));
   picture->installEventFilter(this);
   place();
 }

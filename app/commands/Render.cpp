@@ -3,6 +3,8 @@
 #include <memory>
 #include <optional>
 
+#include <spdlog/spdlog.h>
+
 #include "app/Cancellation.h"
 #include "app/FrameLayers.h"
 #include "app/Output.h"
@@ -11,10 +13,19 @@
 #include "app/commands/Commands.h"
 #include "app/display/DisplayLibrary.h"
 #include "app/options/SessionOptions.h"
+#include "datasets/PaneLabels.h"
+#include "filters/core/Composition.h"
 #include "filters/core/Error.h"
 
 namespace umbra {
 namespace {
+
+// One picture of a sheet.
+struct Drawing {
+  Session session;
+  std::shared_ptr<Technique> technique;
+  std::string label;
+};
 
 struct RenderCommand {
   explicit RenderCommand(CLI::App& command);
@@ -29,20 +40,10 @@ struct RenderCommand {
   // As named on the command line, else `unnamed`.
   std::vector<std::shared_ptr<Technique>> techniques(const Session& session,
                                                      const TechniqueChoice& unnamed) const;
+  bool named() const { return !options.techniques(catalogue, {}).ids.empty(); }
+  std::vector<Drawing> drawings(const Session& session) const;
+  std::vector<Drawing> panes(const Session& session) const;
 };
-
-// What a session compares, its panes beside each other; a pane that cannot be is left out.
-TechniqueChoice comparedIn(const Session& session) {
-  switch (session.comparison.mode) {
-    case ComparisonMode::Wipe:
-      return {{session.technique, wipeTechniqueOf(session)}};
-    case ComparisonMode::Grid:
-      return {panesOf(session), true};
-    case ComparisonMode::Single:
-      break;
-  }
-  return {{session.technique}};
-}
 
 // From `at` of the width (0 … 1) on, `left` becomes `right`.
 void wipe(Image<std::uint8_t>& left, const Image<std::uint8_t>& right, double at) {
@@ -70,6 +71,36 @@ std::vector<std::shared_ptr<Technique>> RenderCommand::techniques(
   return makeTechniques(session, catalogue, options.techniques(catalogue, unnamed));
 }
 
+std::vector<Drawing> RenderCommand::drawings(const Session& session) const {
+  if (!named() && session.comparison.mode != ComparisonMode::Single) return panes(session);
+  std::vector<Drawing> drawings;
+  for (auto& technique : techniques(session, {{session.technique}}))
+    drawings.push_back({session, technique, std::string(technique->info().title)});
+  return drawings;
+}
+
+// What a session compares, each pane with its settings; of several beside each other, one that
+// cannot be is left out.
+std::vector<Drawing> RenderCommand::panes(const Session& session) const {
+  std::vector<Drawing> drawings;
+  const std::vector<std::string> labels = paneLabels(session, catalogue);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const Session pane = activated(session, i);
+    checkGpuFormat(pane);
+    const std::string why =
+        whyImpossible(pane.frame, *techniqueOf(pane, catalogue, pane.technique));
+    const bool last = i + 1 == labels.size() && drawings.empty();
+    if (!why.empty() && pane.comparison.mode == ComparisonMode::Grid && !last) {
+      spdlog::warn("left out: {}", why);
+      continue;
+    }
+    const auto technique = makeTechniques(pane, catalogue, {{pane.technique}}).front();
+    const std::string title(technique->info().title);
+    drawings.push_back({pane, technique, labels[i].empty() ? title : title + " · " + labels[i]});
+  }
+  return drawings;
+}
+
 void RenderCommand::run() const {
   if (!output)
     throw Error(ErrorKind::BadCommandLine, "--output: is missing, give -o FILE.png or FILE.exr");
@@ -88,18 +119,23 @@ void RenderCommand::run() const {
 }
 
 void RenderCommand::renderPicture(const Session& session) const {
-  const auto chosen = techniques(session, comparedIn(session));
+  const std::vector<Drawing> chosen = drawings(session);
   const auto scene = std::make_shared<const Scene>(loadScene(session.source));
   const std::unique_ptr<Display> display = loadDisplay();
-  const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
+  std::unique_ptr<HeadlessFrame> frame;
+  FrameSettings settings;  // of `frame`
   std::vector<LabelledPicture> pictures;
-  for (const auto& technique : chosen) {
+  for (const Drawing& drawing : chosen) {
     throwIfCancelled();
-    frame->render(*technique, session.frame.view);
-    pictures.push_back({std::string(technique->info().title), frame->colour()});
+    if (!frame || !(drawing.session.frame == settings)) {
+      frame.reset();
+      frame = display->makeFrame(scene, drawing.session);
+      settings = drawing.session.frame;
+    }
+    frame->render(*drawing.technique, settings.view);
+    pictures.push_back({drawing.label, frame->colour()});
   }
-  const bool named = !options.techniques(catalogue, {}).ids.empty();
-  if (!named && session.comparison.mode == ComparisonMode::Wipe) {
+  if (!named() && session.comparison.mode == ComparisonMode::Wipe) {
     wipe(pictures.front().colour, pictures.back().colour, session.comparison.wipe);
     pictures.pop_back();
   }

@@ -188,6 +188,13 @@ Image<float> ShadowRenderer::surfaces() {
   return gl::flipped(texture.width(), texture.height(), 4, texture.read(4));
 }
 
+Image<float> ShadowRenderer::footprints() {
+  implementation_->requireFrame();
+  const gl::Texture& texture = implementation_->pass->GetShading().GetFootprints();
+  if (!texture) return {};
+  return gl::flipped(texture.width(), texture.height(), 4, texture.read(4));
+}
+
 std::optional<SurfacePoint> ShadowRenderer::surfaceAt(int x, int y) {
   Implementation& my = *implementation_;
   my.requireFrame();

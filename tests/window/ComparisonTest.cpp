@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "datasets/DepthFile.h"
+#include "datasets/PaneEditing.h"
+#include "tests/window/Pictures.h"
 #include "tests/window/WindowTest.h"
 #include "ui/CentrePane.h"
 #include "ui/ComparisonPanes.h"
@@ -16,30 +18,6 @@
 #include "ui/widgets/Style.h"
 
 namespace umbra {
-namespace {
-
-Session comparing(ComparisonMode mode, std::vector<std::string> techniques) {
-  Session session;
-  session.source.name = "three-planes";
-  session.comparison = {mode, std::move(techniques), 0.5};
-  return session;
-}
-
-// Of the live view, without what is drawn over it.
-QImage liveFrame(MainWindow& window) {
-  const Image<std::uint8_t> colour = window.view().lastFrame()->colour();
-  return QImage(colour.values().data(), colour.width(), colour.height(), colour.width() * 3,
-                QImage::Format_RGB888)
-      .copy();
-}
-
-QImage bare(QImage picture) {
-  picture.setDevicePixelRatio(1.0);
-  return picture.convertToFormat(QImage::Format_RGB888);
-}
-
-}  // namespace
-
 void WindowTest::settlePanes() {
   settle();
   ComparisonPanes& panes = window_->centre().comparison();
@@ -79,20 +57,30 @@ void WindowTest::aWipeIsDragged() {
   QVERIFY(window.view().overlayContents().curtain.isNull());
 }
 
-void WindowTest::aWipesRightSideIsTheOtherTechnique() {
+void WindowTest::aWipesSidesStayWhereTheyAre() {
   MainWindow& window = open(comparing(ComparisonMode::Wipe, {"vsm", "pcf"}));
   settlePanes();
+  ComparisonPanes& panes = window.centre().comparison();
+  const std::vector<std::string> shown = panes.shown();
   const QImage left = liveFrame(window);
   const QImage right = bare(window.view().overlayContents().curtain);
   QCOMPARE(right.size(), left.size());
   QVERIFY(right != left);
-  // Through the key, the right one comes to the left and the left one goes to the right.
+  QVERIFY(!window.view().overlayContents().curtainLeft);
+  // Through the key, the right one becomes the live one.
   key(Qt::Key_1);
   settlePanes();
-  const std::vector<std::string> swapped{"pcf", "vsm"};
-  QVERIFY(window.centre().comparison().shown() == swapped);
+  QCOMPARE(window.controller().session().technique, std::string("pcf"));
+  QCOMPARE(panes.active(), std::size_t(1));
+  QVERIFY(panes.shown() == shown);
   QVERIFY(liveFrame(window) == right);
   QVERIFY(bare(window.view().overlayContents().curtain) == left);
+  QVERIFY(window.view().overlayContents().curtainLeft);
+  // And by a click on its label the left one again.
+  QTest::mouseClick(&panes.header(0), Qt::LeftButton, {}, QPoint(2, 2));
+  settlePanes();
+  QCOMPARE(panes.active(), std::size_t(0));
+  QVERIFY(liveFrame(window) == left);
 }
 
 void WindowTest::panesAreLabelledWithTheirErrorAtTheProbe() {
@@ -159,6 +147,16 @@ void WindowTest::whatAPaneCannotShowIsSaidThere() {
   QVERIFY(window.controller().refusals().contains("power-cdf"));
   QVERIFY(panes.picture(1).picture().isNull());
   QCOMPARE(panes.picture(1).message(), window.controller().refusals().value("power-cdf"));
+  // A pane that reads otherwise is refused nothing, and none because of it.
+  window.controller().edit("Read otherwise", [](Session& s) {
+    setOwn(s, 1, PaneSetting::Read, true);
+    s.comparison.panes[1].own.read->filter = ReadFilter::Bilinear;
+  });
+  settlePanes();
+  QVERIFY(!panes.picture(1).picture().isNull());
+  key(Qt::Key_Z, Qt::ControlModifier);
+  settlePanes();
+  QVERIFY(panes.picture(1).picture().isNull());
   window.controller().edit("Read texels",
                            [](Session& s) { s.frame.read.filter = ReadFilter::Bilinear; });
   settlePanes();

@@ -43,11 +43,16 @@ class WindowTest : public QObject {
   void whatLloydPlayedIsOneStep();
   void aTechniqueWithoutLayersNamesThoseThatHaveThem();
   void aWipeIsDragged();
-  void aWipesRightSideIsTheOtherTechnique();
+  void aWipesSidesStayWhereTheyAre();
   void panesAreLabelledWithTheirErrorAtTheProbe();
   void aClickedPaneIsTheSessions();
   void whatAPaneCannotShowIsSaidThere();
   void aDepthFileTakesThePlaceOfPanes();
+  void aDuplicateIsDrawnWithItsOwnSettings();
+  void anotherPaneBringsItsSettingsToTheControls();
+  void aPanesErrorIsOfItsOwnSettings();
+  void aPanesMenuSharesAndCloses();
+  void panesWithSettingsAreSavedAndOpened();
   void digitsSwitchTechniques();
   void keysSwitchTheView();
   void draggingTheSunMovesTheLight();

@@ -1,0 +1,27 @@
+// What one does to a single pane of a comparison, numbered as in comparisonOf().
+#pragma once
+
+#include "datasets/Session.h"
+
+namespace umbra {
+
+// What a pane may have of its own, one by one: see PaneSettings.
+enum class PaneSetting { Parameters, Kernel, Read, Format, MapSize, Samples, Cascades, Bias };
+
+bool hasOwn(const Pane& pane, PaneSetting setting);
+// A setting becomes the pane's own as it is; one that is its own no longer becomes what the other
+// panes share.
+void setOwn(Session& session, std::size_t pane, PaneSetting setting, bool own);
+void setLinked(Session& session, std::size_t pane, bool linked);  // every setting
+
+// A pane beside it with the same technique and settings, all of them its own; it becomes the active
+// one. Of one picture, two panes; in a wipe, the other side. Where there are `most` panes already,
+// the last of the others makes room.
+void duplicatePane(Session& session, std::size_t pane);
+// Settings as the active pane has them, its parameters where both have the same technique. What the
+// pane shared and can share still, it goes on sharing.
+void copyActiveSettings(Session& session, std::size_t pane);
+// Of two panes, the other one is left as a single picture.
+void closePane(Session& session, std::size_t pane);
+
+}  // namespace umbra

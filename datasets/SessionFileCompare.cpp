@@ -1,0 +1,160 @@
+#include "datasets/SessionFileCompare.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "datasets/SessionFileFrame.h"
+#include "datasets/SessionFileParameters.h"
+#include "filters/core/Error.h"
+
+namespace umbra {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+// Of the keys of frameJson(), those of one setting, in the order of visitFrame().
+using Keys = std::array<std::string_view, 3>;
+constexpr std::array<Keys, 7> frameKeys{{{"kernel"},
+                                         {"filter", "anisotropy", "sat"},
+                                         {"format"},
+                                         {"mapSize"},
+                                         {"msaa"},
+                                         {"cascades"},
+                                         {"bias"}}};
+
+[[noreturn]] void refuse(const std::string& where, const std::string& why) {
+  throw Error(ErrorKind::BadInput, where + ": " + why);
+}
+
+std::size_t placeOf(const std::vector<Pane>& panes, const std::string& technique) {
+  const auto found = std::find_if(panes.begin(), panes.end(),
+                                  [&](const Pane& pane) { return pane.technique == technique; });
+  return std::size_t(found - panes.begin());
+}
+
+// Nothing but a list of techniques, none twice.
+bool isList(const std::vector<Pane>& panes) {
+  for (std::size_t i = 0; i < panes.size(); ++i)
+    if (!panes[i].linked() || placeOf(panes, panes[i].technique) != i) return false;
+  return true;
+}
+
+Json paneJson(const Pane& pane, bool active) {
+  Json json{{"technique", pane.technique}};
+  if (active) json["active"] = true;
+  if (pane.own.parameters) json["parameters"] = toJson(*pane.own.parameters);
+  FrameSettings frame;
+  visitFrame(pane.own, frame, [](const auto& own, auto& setting) {
+    if (own) setting = *own;
+  });
+  const Json all = frameJson(frame);
+  auto keys = frameKeys.begin();
+  visitFrame(pane.own, frame, [&](const auto& own, const auto&) {
+    for (const std::string_view key : *keys++)
+      if (own && !key.empty()) json[std::string(key)] = all.at(std::string(key));
+  });
+  return json;
+}
+
+Pane paneFrom(const Json& value, const std::string& where, const FrameSettings& shared,
+              bool& active) {
+  JsonObject object(value, where);
+  Pane pane;
+  object.readName("technique", [&](const std::string& id, const std::string& place) {
+    pane.technique = allTechniques().make(id, place)->info().id;
+  });
+  if (pane.technique.empty()) refuse(where, "needs a \"technique\"");
+  object.read("active", active);
+  object.readObject("parameters", [&](JsonObject& parameters) {
+    pane.own.parameters = readParameterValues(parameters, pane.technique);
+  });
+  FrameSettings frame = shared;
+  if (value.contains("cascades")) frame.map.cascades.frozen.reset();  // absent means so
+  readMapAndReads(object, frame);
+  object.finish();
+  auto keys = frameKeys.begin();
+  visitFrame(pane.own, frame, [&](auto& own, const auto& setting) {
+    for (const std::string_view key : *keys++)
+      if (value.contains(std::string(key))) own = setting;
+  });
+  return pane;
+}
+
+void readTechniques(JsonObject& object, std::vector<Pane>& panes) {
+  object.readList("techniques", [&](const Json& element, const std::string& where) {
+    const std::string id = element.is_string() ? element.get<std::string>() : element.dump();
+    if (!allTechniques().has(id)) refuse(where, "there is no technique " + id);
+    if (placeOf(panes, id) != panes.size())
+      refuse(where, "has " + id + " twice, each is compared once unless \"panes\" set it apart");
+    panes.push_back({id, {}});
+  });
+}
+
+// The one that says that it is active, else the first of the session's technique.
+void readPanes(JsonObject& object, const Session& session, Comparison& comparison) {
+  std::string activeAt;
+  object.readList("panes", [&](const Json& element, const std::string& where) {
+    bool active = false;
+    comparison.panes.push_back(paneFrom(element, where, session.frame, active));
+    if (!active) return;
+    if (!activeAt.empty()) refuse(where + ".active", "one before it is active, only one can be");
+    activeAt = where;
+    comparison.active = comparison.panes.size() - 1;
+  });
+  if (comparison.panes.empty()) return;
+  if (activeAt.empty()) comparison.active = placeOf(comparison.panes, session.technique);
+  if (comparison.active == comparison.panes.size() ||
+      comparison.panes[comparison.active].technique != session.technique)
+    refuse(activeAt.empty() ? object.where() + ".panes" : activeAt,
+           "should show " + session.technique + ", which \"technique\" says");
+}
+
+}  // namespace
+
+void takeApart(Session& session) {
+  if (isList(session.comparison.panes)) return;
+  session.comparison = comparisonOf(session);
+  exchangeActive(session);
+}
+
+Json comparisonJson(const Session& session) {
+  const Comparison& comparison = session.comparison;
+  Json json{{"mode", nameOf(comparison.mode)}};
+  if (isList(comparison.panes)) {
+    json["techniques"] = Json::array();
+    for (const Pane& pane : comparison.panes) json["techniques"].push_back(pane.technique);
+  } else {
+    for (std::size_t i = 0; i < comparison.panes.size(); ++i)
+      json["panes"].push_back(paneJson(comparison.panes[i], i == comparison.active));
+  }
+  json["wipe"] = comparison.wipe;
+  return json;
+}
+
+void readComparison(JsonObject& object, Session& session) {
+  Comparison comparison;
+  object.readName("mode", [&](const std::string& name, const std::string& where) {
+    comparison.mode = comparisonModeFrom(name, where);
+  });
+  readTechniques(object, comparison.panes);
+  const bool listed = !comparison.panes.empty();
+  comparison.active = placeOf(comparison.panes, session.technique);
+  if (comparison.active == comparison.panes.size()) comparison.active = 0;
+  if (listed)
+    object.readList("panes", [](const Json&, const std::string& where) {
+      refuse(where, "\"techniques\" has the panes, it takes one of the two");
+    });
+  else
+    readPanes(object, session, comparison);
+  const std::size_t count = comparison.panes.size();
+  if (count != 0 && (count < Comparison::fewest || count > Comparison::most))
+    refuse(object.where() + (listed ? ".techniques" : ".panes"),
+           "there are " + std::to_string(count) + ", two to six are compared");
+  object.read("wipe", comparison.wipe, 0.0, 1.0);
+  session.comparison = std::move(comparison);
+  exchangeActive(session);
+}
+
+}  // namespace umbra

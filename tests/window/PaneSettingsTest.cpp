@@ -1,0 +1,182 @@
+// Panes with settings of their own.
+#include <QTest>
+#include <cmath>
+
+#include "datasets/PaneEditing.h"
+#include "tests/window/Pictures.h"
+#include "tests/window/WindowTest.h"
+#include "ui/CentrePane.h"
+#include "ui/ComparisonPanes.h"
+#include "ui/ControlPane.h"
+#include "ui/PaneHeader.h"
+#include "ui/PaneMenu.h"
+#include "ui/Prober.h"
+#include "ui/SceneView.h"
+#include "ui/TechniquePicture.h"
+#include "ui/widgets/FrameSettingsForm.h"
+#include "ui/widgets/Style.h"
+
+namespace umbra {
+namespace {
+
+// As by the slider.
+void setRadius(MainWindow& window, int radius) {
+  FrameSettings frame = window.controls().frame().settings();
+  frame.kernel.radius = radius;
+  emit window.controls().frame().settingsChanged(frame, "radius");
+  emit window.controls().frame().editingFinished("radius");
+}
+
+int shownRadius(MainWindow& window) {
+  return window.controls().frame().settings().kernel.radius;
+}
+
+void chooseIn(PaneMenu& menu, const QString& text) {
+  emit menu.aboutToShow();
+  for (QMenu* place : QList<QMenu*>{&menu} + menu.findChildren<QMenu*>())
+    for (QAction* action : place->actions())
+      if (action->text().remove('&') == text) return action->trigger();
+  QFAIL(qPrintable(text));
+}
+
+}  // namespace
+
+void WindowTest::aDuplicateIsDrawnWithItsOwnSettings() {
+  MainWindow& window = open(comparing(ComparisonMode::Wipe, {"vsm", "pcf"}));
+  window.resize(1650, 900);  // room for labels of one line, whatever they say
+  ComparisonPanes& panes = window.centre().comparison();
+  settlePanes();
+  // What a session draws that has nothing else.
+  const QImage narrow = liveFrame(window);
+  setRadius(window, 12);
+  settlePanes();
+  const QImage wide = liveFrame(window);
+  QVERIFY(wide != narrow);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  key(Qt::Key_D, Qt::ControlModifier);
+  setRadius(window, 12);
+  settlePanes();
+  const std::vector<std::string> both{"vsm", "vsm"};
+  QVERIFY(panes.shown() == both);
+  QCOMPARE(panes.active(), std::size_t(1));
+  QCOMPARE(panes.header(0).differences(), QString("radius 3"));
+  QCOMPARE(panes.header(1).differences(), QString("radius 12"));
+  QCOMPARE(liveFrame(window).size(), wide.size());
+  QVERIFY(liveFrame(window) == wide);
+  QVERIFY(bare(window.view().overlayContents().curtain) == narrow);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  settlePanes();
+  const std::vector<std::string> before{"vsm", "pcf"};
+  QVERIFY(panes.shown() == before);
+  QVERIFY(panes.header(0).differences().isEmpty());
+}
+
+void WindowTest::anotherPaneBringsItsSettingsToTheControls() {
+  Session session = comparing(ComparisonMode::Single, {"vsm", "msm"});
+  session.comparison.panes.clear();
+  MainWindow& window = open(session);
+  ComparisonPanes& panes = window.centre().comparison();
+  key(Qt::Key_D, Qt::ControlModifier);
+  setRadius(window, 12);
+  settlePanes();
+  QCOMPARE(panes.shown().size(), std::size_t(2));
+  QVERIFY(panes.picture(0).isVisible());
+  const QImage narrow = panes.picture(0).picture();
+  QVERIFY(!narrow.isNull());
+  QVERIFY(bare(narrow) != liveFrame(window));
+  QCOMPARE(shownRadius(window), 12);
+
+  QTest::mouseClick(&panes.picture(0), Qt::LeftButton);
+  settlePanes();
+  QCOMPARE(panes.active(), std::size_t(0));
+  QCOMPARE(shownRadius(window), 3);
+  QCOMPARE(panes.header(1).differences(), QString("radius 12"));
+  setRadius(window, 5);
+  QCOMPARE(panes.header(0).differences(), QString("radius 5"));
+  QCOMPARE(panes.header(1).differences(), QString("radius 12"));
+
+  key(Qt::Key_Z, Qt::ControlModifier);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  QCOMPARE(panes.active(), std::size_t(1));
+  QCOMPARE(shownRadius(window), 12);
+  settlePanes();
+  QVERIFY(panes.picture(0).picture() == narrow);
+}
+
+void WindowTest::aPanesErrorIsOfItsOwnSettings() {
+  // A wipe's sides are of one size: the probe is in the same pixel of both.
+  Session session = comparing(ComparisonMode::Wipe, {"vsm", "vsm"});
+  setLinked(session, 1, false);
+  session.comparison.panes[1].own.kernel->radius = 14;
+  session.comparison.panes[1].own.mapSize = 512;
+  session.comparison.panes[1].own.cascades->count = 2;
+  MainWindow& window = open(session);
+  settlePanes();
+  ComparisonPanes& panes = window.centre().comparison();
+  const auto errorOf = [&](std::size_t pane) {
+    return panes.figures(pane) ? panes.figures(pane)->result.error : std::nan("");
+  };
+  const double linked = errorOf(0), own = errorOf(1);
+  QCOMPARE(linked, result("vsm").error);
+  QCOMPARE(panes.header(0).errorText(), style::signedFigure(linked));
+  QCOMPARE(panes.header(1).errorText(), style::signedFigure(own));
+  QVERIFY(panes.header(1).errorText() != panes.header(0).errorText());
+  QVERIFY(panes.figures(0)->footprint.empty());
+  QVERIFY(!panes.figures(1)->footprint.empty());
+  // What a pane says of itself when it is the active one, and the other one then. Receivers are
+  // floats, read back from frames of two renderers.
+  constexpr double rounding = 1e-6;
+  QTest::mouseClick(&panes.header(1), Qt::LeftButton, {}, QPoint(2, 2));
+  settlePanes();
+  QCOMPARE(panes.active(), std::size_t(1));
+  QVERIFY(std::abs(result("vsm").error - own) < rounding);
+  QVERIFY(std::abs(errorOf(1) - own) < rounding);
+  QVERIFY(std::abs(errorOf(0) - linked) < rounding);
+  QVERIFY(panes.figures(1)->footprint.empty());
+}
+
+void WindowTest::aPanesMenuSharesAndCloses() {
+  MainWindow& window = open(comparing(ComparisonMode::Grid, {"vsm", "msm", "pcf"}));
+  ComparisonPanes& panes = window.centre().comparison();
+  chooseIn(panes.menu(1), "Duplicate this pane");
+  setRadius(window, 12);
+  QCOMPARE(panes.header(2).differences(), QString("radius 12"));
+  chooseIn(panes.menu(0), "Same settings as the active pane");
+  QCOMPARE(panes.header(0).differences(), QString("radius 12"));
+  QCOMPARE(panes.header(3).differences(), QString("radius 3"));
+  chooseIn(panes.menu(2), "Kernel and radius");
+  QCOMPARE(shownRadius(window), 3);
+  chooseIn(panes.menu(2), "Close this pane");
+  const std::vector<std::string> left{"vsm", "msm", "pcf"};
+  QVERIFY(panes.shown() == left);
+  chooseIn(panes.menu(0), "Share settings with the other panes");
+  QVERIFY(panes.header(0).differences().isEmpty());
+  for (int i = 0; i < 6; ++i) key(Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(panes.shown() == left);
+  QCOMPARE(window.controller().undoStack().index(), 0);
+  settlePanes();
+}
+
+void WindowTest::panesWithSettingsAreSavedAndOpened() {
+  MainWindow& window = open(comparing(ComparisonMode::Grid, {"vsm", "msm"}));
+  key(Qt::Key_D, Qt::ControlModifier);
+  setRadius(window, 12);
+  settlePanes();
+  const QString file = folder_.filePath("own-settings.json");
+  window.saveSession(file.toStdString());
+  const Session saved = window.sessionToSave();
+  key(Qt::Key_F8);
+  setRadius(window, 1);
+  window.openFile(file.toStdString());
+  QTRY_VERIFY(window.controller().session() == saved);
+  settlePanes();
+  ComparisonPanes& panes = window.centre().comparison();
+  const std::vector<std::string> shown{"vsm", "vsm", "msm"};
+  QVERIFY(panes.shown() == shown);
+  QCOMPARE(panes.active(), std::size_t(1));
+  QCOMPARE(shownRadius(window), 12);
+  QCOMPARE(panes.header(0).differences(), QString("radius 3"));
+}
+
+}  // namespace umbra

@@ -1,0 +1,36 @@
+// Pictures of the window as images that compare.
+#pragma once
+
+#include <QImage>
+#include <string>
+#include <vector>
+
+#include "datasets/Session.h"
+#include "ui/MainWindow.h"
+#include "ui/SceneView.h"
+
+namespace umbra {
+
+// On three planes; the session's technique is the first one.
+inline Session comparing(ComparisonMode mode, const std::vector<std::string>& techniques) {
+  Session session;
+  session.source.name = "three-planes";
+  session.technique = techniques.front();
+  session.comparison = {mode, linkedPanes(techniques), 0, 0.5};
+  return session;
+}
+
+// Of the live view, without what is drawn over it.
+inline QImage liveFrame(MainWindow& window) {
+  const Image<std::uint8_t> colour = window.view().lastFrame()->colour();
+  return QImage(colour.values().data(), colour.width(), colour.height(), colour.width() * 3,
+                QImage::Format_RGB888)
+      .copy();
+}
+
+inline QImage bare(QImage picture) {
+  picture.setDevicePixelRatio(1.0);
+  return picture.convertToFormat(QImage::Format_RGB888);
+}
+
+}  // namespace umbra

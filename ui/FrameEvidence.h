@@ -1,0 +1,36 @@
+// What is kept of a picture's frame, so that any of its pixels can be probed later.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "analysis/Probe.h"
+#include "datasets/Session.h"
+#include "filters/core/Cascades.h"
+#include "filters/core/Image.h"
+#include "ui/Footprint.h"
+
+namespace umbra {
+
+struct FrameEvidence {
+  Image<float> surfaces, footprints;  // as ShadowRenderer's
+  std::vector<Cascade> cascades;
+  std::shared_ptr<const std::vector<DepthMap>> maps;  // of every cascade
+  std::shared_ptr<const Technique> technique;         // as the frame adapted it
+};
+
+// A pane's own probe.
+struct FrameProbe {
+  Probe probe;
+  std::vector<Eigen::Vector3d> footprint;  // world, the outline of the region on the surface
+};
+
+// Of the frame's technique alone, with the settings that the frame was drawn with; at the pixel's
+// surface, or at another `receiver` depth. `plane` is the surface around it. None where the pixel
+// shows no surface that the map covers.
+std::optional<FrameProbe> probeFrame(const FrameEvidence& evidence, const FrameSettings& frame,
+                                     const Pixel& pixel, const std::optional<double>& receiver,
+                                     const std::optional<Plane>& plane);
+
+}  // namespace umbra

@@ -1,0 +1,83 @@
+#include "ui/PaneMenu.h"
+
+#include "ui/SessionController.h"
+
+namespace umbra {
+namespace {
+
+struct Own {
+  PaneSetting setting;
+  const char* text;
+};
+// In the words of the controls.
+constexpr Own ownSettings[] = {
+    {PaneSetting::Parameters, QT_TRANSLATE_NOOP("umbra::PaneMenu", "Parameters of the technique")},
+    {PaneSetting::Kernel, QT_TRANSLATE_NOOP("umbra::PaneMenu", "Kernel and radius")},
+    {PaneSetting::Read, QT_TRANSLATE_NOOP("umbra::PaneMenu", "Read")},
+    {PaneSetting::Format, QT_TRANSLATE_NOOP("umbra::PaneMenu", "Storage")},
+    {PaneSetting::MapSize, QT_TRANSLATE_NOOP("umbra::PaneMenu", "Map")},
+    {PaneSetting::Samples, QT_TRANSLATE_NOOP("umbra::PaneMenu", "Samples")},
+    {PaneSetting::Cascades, QT_TRANSLATE_NOOP("umbra::PaneMenu", "Cascades")},
+    {PaneSetting::Bias, QT_TRANSLATE_NOOP("umbra::PaneMenu", "Bias")}};
+
+}  // namespace
+
+PaneMenu::PaneMenu(SessionController& controller, std::size_t pane, QWidget* parent)
+    : QMenu(parent), controller_(controller), pane_(pane), own_(new QMenu(this)) {
+  setToolTipsVisible(true);
+  connect(this, &QMenu::aboutToShow, this, &PaneMenu::fill);
+}
+
+void PaneMenu::fill() {
+  clear();
+  const Comparison comparison = comparisonOf(controller_.session());
+  if (pane_ >= comparison.panes.size()) return;
+  const Pane& pane = comparison.panes[pane_];
+  const bool full =
+      comparison.mode == ComparisonMode::Grid && comparison.panes.size() == Comparison::most;
+  add(tr("&Duplicate this pane"),
+      full ? tr("There is room for six panes")
+           : tr("The same beside it, to be set otherwise: what one sets there is its own"),
+      !full, duplicatePane);
+  add(tr("&Same settings as the active pane"), tr("What the controls show now"),
+      pane_ != comparison.active, copyActiveSettings);
+  addSeparator();
+  QAction* linked = addAction(tr("S&hare settings with the other panes"));
+  linked->setCheckable(true);
+  linked->setChecked(pane.linked());
+  linked->setToolTip(tr("What one sets in one of the panes that share is set in all of them"));
+  connect(linked, &QAction::triggered, this, [this](bool on) {
+    controller_.edit(on ? tr("Share settings") : tr("Settings of its own"),
+                     [&](Session& session) { setLinked(session, pane_, on); });
+  });
+  fillOwn(pane);
+  addSeparator();
+  add(tr("&Close this pane"), {}, true, closePane);
+}
+
+void PaneMenu::fillOwn(const Pane& pane) {
+  own_->clear();
+  own_->setTitle(tr("&Of its own"));
+  for (const Own& own : ownSettings) {
+    QAction* action = own_->addAction(tr(own.text));
+    action->setCheckable(true);
+    action->setChecked(hasOwn(pane, own.setting));
+    connect(action, &QAction::triggered, this, [this, own](bool on) {
+      controller_.edit(on ? tr("Settings of its own") : tr("Share settings"),
+                       [&](Session& session) { setOwn(session, pane_, own.setting, on); });
+    });
+  }
+  addMenu(own_);
+}
+
+void PaneMenu::add(const QString& text, const QString& help, bool possible,
+                   void (*change)(Session&, std::size_t)) {
+  QAction* action = addAction(text);
+  action->setToolTip(help);
+  action->setEnabled(possible);
+  connect(action, &QAction::triggered, this, [this, text, change] {
+    controller_.edit(QString(text).remove('&'), [&](Session& session) { change(session, pane_); });
+  });
+}
+
+}  // namespace umbra

@@ -1,0 +1,31 @@
+// What can be done to one pane of a comparison.
+#pragma once
+
+#include <QMenu>
+
+#include "datasets/PaneEditing.h"
+
+namespace umbra {
+
+class SessionController;
+
+// Made anew each time that it opens.
+class PaneMenu : public QMenu {
+  Q_OBJECT
+
+ public:
+  // `pane` as in comparisonOf().
+  PaneMenu(SessionController& controller, std::size_t pane, QWidget* parent = nullptr);
+
+ private:
+  void fill();
+  void fillOwn(const Pane& pane);
+  void add(const QString& text, const QString& help, bool possible,
+           void (*change)(Session&, std::size_t));
+
+  SessionController& controller_;
+  std::size_t pane_;
+  QMenu* own_;
+};
+
+}  // namespace umbra
