@@ -124,7 +124,7 @@ std::size_t writeVertices(FieldMesh& mesh, const std::vector<Receives>& vertices
 struct FaceSums {
   double error = 0.0, bleeding = 0.0, shadowed = 0.0;  // of points
   int receiving = 0, bleedingPoints = 0;
-  SurfacePlace worst;
+  WorstPlace worst;
 };
 
 void addTo(SurfaceSums& sums, const FaceSums& face, double area) {

@@ -23,7 +23,7 @@ struct SurfaceSubject {
   const Technique& technique;  // parameters set, adapted to the map
 };
 
-struct SurfacePlace {
+struct WorstPlace {
   Eigen::Vector3d position{0.0, 0.0, 0.0};  // world
   double error = 0.0;                       // visibility − reference
 };
@@ -31,13 +31,13 @@ struct SurfacePlace {
 // Areas are in square world units, of surfaces that face the light and lie inside its map: only
 // these receive shadow.
 struct SurfaceSums {
-  std::string name;                   // of the object
-  std::size_t faces = 0;              // all of them
-  double area = 0.0;                  // that receives shadow
-  double shadowedArea = 0.0;          // of it in shadow; of penumbrae the part that is dark
-  double bleedingArea = 0.0;          // of it with an error of visibleError or more
-  double meanBleeding = 0.0;          // mean of max(error, 0) over `area`; 0 without any
-  std::optional<SurfacePlace> worst;  // where most light bleeds; none where none does visibly
+  std::string name;                 // of the object
+  std::size_t faces = 0;            // all of them
+  double area = 0.0;                // that receives shadow
+  double shadowedArea = 0.0;        // of it in shadow; of penumbrae the part that is dark
+  double bleedingArea = 0.0;        // of it with an error of visibleError or more
+  double meanBleeding = 0.0;        // mean of max(error, 0) over `area`; 0 without any
+  std::optional<WorstPlace> worst;  // where most light bleeds; none where none does visibly
 };
 
 struct SurfaceSummary {

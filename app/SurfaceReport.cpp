@@ -7,7 +7,7 @@
 namespace umbra {
 namespace {
 
-Json worstToJson(const std::optional<SurfacePlace>& worst) {
+Json worstToJson(const std::optional<WorstPlace>& worst) {
   if (!worst) return nullptr;
   const Eigen::Vector3d& p = worst->position;
   return {{"position", {p.x(), p.y(), p.z()}}, {"error", worst->error}};
@@ -22,7 +22,7 @@ void addSums(Json& object, const SurfaceSums& sums) {
   object["faces"] = sums.faces;
 }
 
-std::string placeText(const std::optional<SurfacePlace>& worst) {
+std::string placeText(const std::optional<WorstPlace>& worst) {
   if (!worst) return "-";
   const Eigen::Vector3d& p = worst->position;
   return shortNumber(p.x()) + "," + shortNumber(p.y()) + "," + shortNumber(p.z());
