@@ -15,12 +15,22 @@ namespace {
 
 QString textOf(const SurfaceSummary& summary) {
   const SurfaceSums& all = summary.all;
-  if (!all.worst) return MainWindow::tr("no surface bleeds visibly");
-  const Eigen::Vector3d& p = all.worst->position;
-  return MainWindow::tr("light bleeds on %1 of %2 square units, most by %3 at (%4, %5, %6)")
-      .arg(style::figure(all.bleedingArea), style::figure(all.area),
-           style::figure(all.worst->error), style::figure(p.x()), style::figure(p.y()),
-           style::figure(p.z()));
+  QString text = MainWindow::tr("no surface bleeds visibly.");
+  if (all.worst) {
+    const Eigen::Vector3d& p = all.worst->position;
+    text = MainWindow::tr("light bleeds on %1 of %2 square units, most by %3 at (%4, %5, %6).")
+               .arg(style::figure(all.bleedingArea), style::figure(all.area),
+                    style::figure(all.worst->error), style::figure(p.x()), style::figure(p.y()),
+                    style::figure(p.z()));
+  }
+  const SurfaceMeshSettings asked;
+  if (summary.edge <= asked.edge) return text;
+  return text + MainWindow::tr(
+                    " Its edges are up to %1 texels long in place of %2, which would "
+                    "take more than %L3 faces.")
+                    .arg(summary.edge)
+                    .arg(asked.edge)
+                    .arg(qulonglong(asked.mostFaces));
 }
 
 }  // namespace
@@ -46,15 +56,7 @@ void MainWindow::makeSurfaceExport() {
           [this] { statusBar()->showMessage(tr("Cancelled; no file was written."), 6000); });
   connect(surfaces_, &SurfaceExport::written, this,
           [this](const QString& file, const SurfaceSummary& summary) {
-            statusBar()->showMessage(tr("Wrote %1: %2").arg(file, textOf(summary)), 15000);
-            const double asked = SurfaceMeshSettings().edge;
-            if (summary.edge > asked)
-              centre_->banner().showNotice(
-                  tr("The map is finer than the mesh: its edges are up to %1 texels long in place "
-                     "of %2, which would take more than %L3 faces.")
-                      .arg(summary.edge)
-                      .arg(asked)
-                      .arg(qulonglong(SurfaceMeshSettings().mostFaces)));
+            centre_->banner().showNotice(tr("Wrote %1: %2").arg(file, textOf(summary)));
           });
 }
 

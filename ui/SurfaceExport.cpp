@@ -72,7 +72,7 @@ void SurfaceExport::run(const SurfaceJob& job, const std::filesystem::path& file
         surfaceErrors(mesh, {*job.scene, job.light, job.map, job.frame, *job.technique}, progress);
     check();
     write(errors.mesh, file);
-    const QString name = QString::fromStdU16String(file.u16string());
+    const QString name = QString::fromStdU16String(file.filename().u16string());
     finish([this, name, summary = errors.summary] { emit written(name, summary); });
   } catch (const Stopped&) {
     finish([this] { emit cancelled(); });

@@ -39,7 +39,8 @@ class SurfaceExport : public QObject {
 
  signals:
   void progressed(int percent);
-  void written(const QString& file, const umbra::SurfaceSummary& summary);
+  // `name` is the file's, without its folder.
+  void written(const QString& name, const umbra::SurfaceSummary& summary);
   void failed(const QString& message);  // one line for people
   void cancelled();
 
