@@ -76,8 +76,8 @@ std::optional<CascadePlace> cascadeOf(const Vector3d& point, const LightPoint& l
   return CascadePlace{last, 0.0};
 }
 
-// By how much the position on the map, in texels of `cascade`, moves from a pixel to the next along
-// x and along y of the picture. None where the camera does not look at the point.
+// By how much the position on the map, in texels of `cascade`, moves from a pixel to the next to
+// the right and upwards in the picture. None where the camera does not look at the point.
 std::optional<std::pair<Vector2d, Vector2d>> stepsOnMap(const Vector3d& point,
                                                         const Vector3d& normal,
                                                         const FrameView& frame,
@@ -94,7 +94,7 @@ std::optional<std::pair<Vector2d, Vector2d>> stepsOnMap(const Vector3d& point,
     return Vector2d(Vector2d(at.u, at.v) * (frame.settings.map.size / cascade.side));
   };
   return std::pair<Vector2d, Vector2d>{place(0.5, 0.0) - place(-0.5, 0.0),
-                                       place(0.0, 0.5) - place(0.0, -0.5)};
+                                       place(0.0, -0.5) - place(0.0, 0.5)};
 }
 
 // What a trilinear or anisotropic read covers: the longer axis and the probes along it.

@@ -65,6 +65,38 @@ TEST_F(NamedProbes, InSightAProbeIsThatOfItsPixel) {
   }
 }
 
+// Beside its pixel's middle a point is read by sums done here and not on the GPU: nearly the same.
+TEST_F(NamedProbes, BesideThePixelsMiddleTheReadIsComputedAsTheGpuDoesIt) {
+  for (const char* filter : {"trilinear", "anisotropic", "sat"}) {
+    Json json = session("two-planes", Json::array());
+    json["camera"] = {{"position", {1, 4, 7}}, {"target", {0, 0, 0}}, {"viewAngle", 30}};
+    const Arguments read{"--filter", filter, "--cascades", "2"};
+    Arguments there = read, named = read;
+    there.insert(there.end(), {"--pixel", "80,66"});
+    named.insert(named.end(), {"--named", "Spot"});
+    const Json seen = probed(json, there);
+    const auto at = [&](int i) { return seen["world"][i].get<double>(); };
+    const double dx = 1 - at(0), dy = 4 - at(1), dz = 7 - at(2);
+    const double distance = std::hypot(dx, dy, dz), angle = std::atan(1.0) * 2.0 / 3.0 / 120;
+    const double beside = 0.02 * distance * angle;  // a fiftieth of a pixel along the ground
+    json["probes"] = {{{"name", "Spot"}, {"point", {at(0) + beside, at(1), at(2)}}}};
+    const Json computed = probed(json, named);
+    EXPECT_EQ(computed["pixel"], seen["pixel"]);
+    EXPECT_EQ(computed["cascade"], seen["cascade"]);
+    for (const Json& row : computed["techniques"]) EXPECT_FALSE(row.contains("gpu"));
+    // The GPU's difference is taken up to a pixel away. A pixel's length on the ground goes by the
+    // square of the distance over the camera's height: two angles of a pixel over the slope.
+    const double change = 2.0 * angle * std::hypot(dx, dz) / dy;
+    for (const char* side : {"x", "y"}) {
+      const double gpu = seen["footprint"][side], ours = computed["footprint"][side];
+      EXPECT_NEAR(ours, gpu, change * std::abs(gpu)) << filter;
+    }
+    EXPECT_EQ(computed["footprint"]["probes"], seen["footprint"]["probes"]);
+    EXPECT_NEAR(computed["receiver"].get<double>(), seen["receiver"].get<double>(),
+                1000.0 * std::ldexp(1.0, -24));
+  }
+}
+
 // What a point or bilinear read of the only map averages does not depend on the camera.
 TEST_F(NamedProbes, OutOfSightAProbeIsReadAllTheSame) {
   const Json seen = probed(session("two-planes", Json::array()), {"--pixel", "worst"});
