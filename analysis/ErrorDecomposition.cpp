@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "analysis/BleedReduction.h"
 #include "analysis/ReceiverPixels.h"
@@ -77,7 +78,7 @@ bool worthDecomposing(double visibility, double reference, bool reduces,
 void decomposeRow(const Image<float>& surfaces, const Image<float>& reference, int y, bool reduces,
                   const PixelProbe& probe, const DecompositionSettings& settings,
                   ErrorDecomposition& result) {
-  for (int x = 0; x < surfaces.width(); ++x) {
+  for (int x = 0; x < surfaces.width(); x += result.stride) {
     if (!receivesShadow(surfaces.pixel(x, y))) continue;
     result.receives(x, y) = 1;
     const double visibility = surfaces(x, y, 3), truth = reference(x, y);
@@ -90,8 +91,8 @@ void decomposeRow(const Image<float>& surfaces, const Image<float>& reference, i
   }
 }
 
-ErrorDecomposition emptyDecomposition(int width, int height) {
-  return {Image<double>(width, height, errorPartCount), Image<std::uint8_t>(width, height)};
+ErrorDecomposition emptyDecomposition(int width, int height, int stride) {
+  return {Image<double>(width, height, errorPartCount), Image<std::uint8_t>(width, height), stride};
 }
 
 ErrorSums sumsOf(const ErrorDecomposition& decomposition, const Image<std::uint8_t>* selection) {
@@ -109,6 +110,44 @@ ErrorSums sumsOf(const ErrorDecomposition& decomposition, const Image<std::uint8
     sums.error += mean;
   }
   return sums;
+}
+
+double errorAt(const ErrorDecomposition& decomposition, int x, int y,
+               std::optional<ErrorPart> part) {
+  if (part) return decomposition.parts(x, y, int(*part));
+  const auto parts = decomposition.parts.pixel(x, y);
+  return std::accumulate(parts.begin(), parts.end(), 0.0);
+}
+
+std::optional<PicturePixel> worstPixel(const ErrorDecomposition& decomposition,
+                                       std::optional<ErrorPart> part,
+                                       const Image<std::uint8_t>* selection) {
+  std::optional<PicturePixel> worst;
+  double largest = 0.0;
+  for (int y = 0; y < decomposition.receives.height(); ++y)
+    for (int x = 0; x < decomposition.receives.width(); ++x) {
+      if (selection && !(*selection)(x, y)) continue;
+      const double error = std::abs(errorAt(decomposition, x, y, part));
+      if (error <= largest) continue;
+      largest = error;
+      worst = PicturePixel{x, y};
+    }
+  return worst;
+}
+
+double colourRange(const ErrorDecomposition& decomposition, std::optional<ErrorPart> part) {
+  constexpr double within = 0.99;
+  std::vector<double> errors;
+  for (int y = 0; y < decomposition.receives.height(); ++y)
+    for (int x = 0; x < decomposition.receives.width(); ++x)
+      if (const double error = errorAt(decomposition, x, y, part); error != 0.0)
+        errors.push_back(std::abs(error));
+  if (errors.empty()) return 0.01;
+  const auto last = errors.begin() + std::ptrdiff_t(std::ceil(within * double(errors.size()))) - 1;
+  std::nth_element(errors.begin(), last, errors.end());
+  for (const double end : {0.01, 0.02, 0.05, 0.1, 0.2, 0.5})
+    if (*last <= end) return end;
+  return 1.0;
 }
 
 Image<std::uint8_t> lassoMask(std::span<const LassoPoint> polygon, int width, int height) {

@@ -5,11 +5,13 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 
 #include "analysis/Metrics.h"
 #include "analysis/Probe.h"
+#include "analysis/WorstPixel.h"
 #include "filters/core/Image.h"
 
 namespace umbra {
@@ -54,8 +56,13 @@ std::vector<std::shared_ptr<const Technique>> decompositionTechniques(
 struct ErrorDecomposition {
   // errorPartCount channels, by ErrorPart; 0 where no shadow falls.
   Image<double> parts;
-  // Pixels that receive shadow are 1, others 0.
+  // Pixels that receive shadow and were taken are 1, others 0.
   Image<std::uint8_t> receives;
+  // Every how-manieth pixel of every how-manieth row is taken, from (0, 0) on.
+  int stride = 1;
+
+  // The taken pixel that stands for (x, y).
+  PicturePixel takenPixel(int x, int y) const { return {x - x % stride, y - y % stride}; }
 };
 
 // Whether a pixel's error is taken apart, or counted as small. `reduces` says that the technique
@@ -64,13 +71,13 @@ struct ErrorDecomposition {
 bool worthDecomposing(double visibility, double reference, bool reduces,
                       const DecompositionSettings& settings);
 
-// Row `y` of a frame, into a decomposition of its size; rows may be taken apart in any order and at
-// the same time. `surfaces` and `reference` as ShadowRenderer gives them. `probe` is only called
-// for pixels that are worth it.
+// The taken pixels of row `y` of a frame, into a decomposition of its size; rows may be taken apart
+// in any order and at the same time. `surfaces` and `reference` as ShadowRenderer gives them.
+// `probe` is only called for pixels that are worth it.
 void decomposeRow(const Image<float>& surfaces, const Image<float>& reference, int y, bool reduces,
                   const PixelProbe& probe, const DecompositionSettings& settings,
                   ErrorDecomposition& result);
-ErrorDecomposition emptyDecomposition(int width, int height);
+ErrorDecomposition emptyDecomposition(int width, int height, int stride = 1);
 
 struct ErrorSums {
   std::size_t pixels = 0;  // that receive shadow
@@ -80,6 +87,18 @@ struct ErrorSums {
 // Over the frame, or over the pixels of `selection` (same size) that are not 0.
 ErrorSums sumsOf(const ErrorDecomposition& decomposition,
                  const Image<std::uint8_t>* selection = nullptr);
+
+// Of a pixel: one part, or the whole error where none is named. 0 where no shadow falls.
+double errorAt(const ErrorDecomposition& decomposition, int x, int y,
+               std::optional<ErrorPart> part);
+// Where that is largest, whatever its sign; over the frame, or over the pixels of `selection`. None
+// where it is 0 everywhere.
+std::optional<PicturePixel> worstPixel(const ErrorDecomposition& decomposition,
+                                       std::optional<ErrorPart> part,
+                                       const Image<std::uint8_t>* selection = nullptr);
+// An end e for a scale of colours [−e, e]: the smallest of 0.01, 0.02, 0.05, 0.1, 0.2, 0.5 and 1
+// that 99 % of what is not 0 lies within.
+double colourRange(const ErrorDecomposition& decomposition, std::optional<ErrorPart> part);
 
 struct LassoPoint {
   double x = 0.0, y = 0.0;  // of the picture, pixels; pixel (0, 0) covers [0,1)²

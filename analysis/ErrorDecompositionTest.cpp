@@ -165,6 +165,49 @@ TEST(ErrorDecomposition, ASelectionCountsItsOwnPixels) {
   EXPECT_NEAR(sums.error, expected / 9.0, 1e-15);
 }
 
+// Three pixels in a row, of which the last receives no shadow.
+ErrorDecomposition threePixels() {
+  ErrorDecomposition taken = emptyDecomposition(3, 1);
+  taken.receives(0, 0) = taken.receives(1, 0) = 1;
+  const auto set = [&](int x, ErrorPart which, double value) {
+    taken.parts(x, 0, int(which)) = value;
+  };
+  set(0, ErrorPart::Bleeding, 0.4);
+  set(0, ErrorPart::Reduction, -0.35);
+  set(1, ErrorPart::OverDarkening, -0.3);
+  set(1, ErrorPart::Reduction, -0.1);
+  return taken;
+}
+
+TEST(ErrorDecomposition, TheWorstPixelIsTheOneOfThePart) {
+  const ErrorDecomposition taken = threePixels();
+  EXPECT_NEAR(errorAt(taken, 0, 0, std::nullopt), 0.05, 1e-15);
+  EXPECT_EQ(errorAt(taken, 1, 0, ErrorPart::OverDarkening), -0.3);
+  const auto worst = [&](std::optional<ErrorPart> which, const Image<std::uint8_t>* in = nullptr) {
+    const auto pixel = worstPixel(taken, which, in);
+    return pixel ? pixel->x : -1;
+  };
+  EXPECT_EQ(worst(std::nullopt), 1) << "−0.4 against +0.05";
+  EXPECT_EQ(worst(ErrorPart::Bleeding), 0);
+  EXPECT_EQ(worst(ErrorPart::Reduction), 0);
+  EXPECT_EQ(worst(ErrorPart::Precision), -1) << "none has any";
+  Image<std::uint8_t> second(3, 1);
+  second(1, 0) = 1;
+  EXPECT_EQ(worst(ErrorPart::Reduction, &second), 1);
+  EXPECT_EQ(worst(ErrorPart::Bleeding, &second), -1);
+}
+
+TEST(ErrorDecomposition, ColoursSpanNearlyEveryError) {
+  EXPECT_EQ(colourRange(threePixels(), std::nullopt), 0.5);
+  EXPECT_EQ(colourRange(threePixels(), ErrorPart::Precision), 0.01) << "nothing to be seen";
+  ErrorDecomposition many = emptyDecomposition(1000, 1);
+  for (int x = 0; x < 1000; ++x)
+    many.parts(x, 0, int(ErrorPart::Bleeding)) = x < 5 ? 0.9 : 0.03;  // five stray pixels
+  EXPECT_EQ(colourRange(many, ErrorPart::Bleeding), 0.05);
+  for (int x = 0; x < 100; ++x) many.parts(x, 0, int(ErrorPart::Bleeding)) = -0.9;
+  EXPECT_EQ(colourRange(many, ErrorPart::Bleeding), 1.0);
+}
+
 TEST(ErrorDecomposition, ALassoHoldsTheCentresInside) {
   const LassoPoint triangle[] = {{0.0, 0.0}, {8.0, 0.0}, {0.0, 8.0}};
   const Image<std::uint8_t> mask = lassoMask(triangle, 10, 10);

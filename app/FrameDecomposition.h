@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "analysis/ErrorDecomposition.h"
+#include "app/ChannelFile.h"
 #include "app/display/Display.h"
 
 namespace umbra {
@@ -12,5 +13,9 @@ namespace umbra {
 ErrorDecomposition decomposeFrame(HeadlessFrame& frame, const FrameSettings& settings,
                                   const Technique& technique,
                                   const DecompositionSettings& how = {});
+
+// A channel of each part, by its name, 0 where no shadow falls; "receives" is 1 where one does.
+ChannelFile decompositionFile(const Session& session, const Technique& technique,
+                              const ErrorDecomposition& decomposition);
 
 }  // namespace umbra

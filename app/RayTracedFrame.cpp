@@ -1,11 +1,8 @@
 #include "app/RayTracedFrame.h"
 
 #include <algorithm>
-#include <cmath>
-#include <vector>
 
 #include "analysis/ReceiverPixels.h"
-#include "app/Cancellation.h"
 #include "app/EveryCore.h"
 #include "app/FrameReads.h"
 
@@ -14,35 +11,6 @@ namespace {
 
 // Taps that are looked up for a picture, at most: some ten seconds on one core.
 constexpr double mostTaps = 1e9;
-
-struct PixelRead {
-  int x = 0, y = 0;
-  ProbeRequest request;
-};
-
-// The receiving pixels of every `stride`-th row from `first` to before `end`. OpenGL answers to one
-// thread only, so they are gathered before they are shared out.
-std::vector<PixelRead> readsOf(HeadlessFrame& frame, const FrameSettings& settings,
-                               const Image<float>& surfaces, int first, int end, int stride) {
-  std::vector<PixelRead> reads;
-  for (int y = first; y < std::min(end, surfaces.height()); y += stride) {
-    throwIfCancelled();
-    for (int x = 0; x < surfaces.width(); x += stride)
-      if (receivesShadow(surfaces.pixel(x, y)))
-        reads.push_back(
-            {x, y, requestAt(frame, settings, surfaceAt(frame, settings, surfaces, x, y))});
-  }
-  return reads;
-}
-
-// So that the picture takes no more than the most taps, judged by every sixteenth pixel.
-int strideFor(HeadlessFrame& frame, const FrameSettings& settings, const Image<float>& surfaces) {
-  constexpr int coarse = 16;
-  double taps = 0.0;
-  for (const PixelRead& read : readsOf(frame, settings, surfaces, 0, surfaces.height(), coarse))
-    taps += double(takeProbe(read.request).region.texels.size());
-  return std::max(1, int(std::ceil(coarse * std::sqrt(taps / mostTaps))));
-}
 
 }  // namespace
 
@@ -54,25 +22,24 @@ RayTracedVisibility lightRays(HeadlessFrame& frame, const Scene& scene,
 
 RayTracedReference rayTracedReference(HeadlessFrame& frame, const Scene& scene,
                                       const FrameSettings& settings) {
-  const Image<float> surfaces = frame.surfaces();
-  const int cascades = int(frame.cascades().size());
-  const int side = RayTracedVisibility::sideFor(frame.depthMap().width(), cascades);
+  const DrawnFrame drawn = drawnFrame(frame, settings);
+  const Image<float>& surfaces = drawn.surfaces;
+  const auto receives = [&](int x, int y) { return receivesShadow(surfaces.pixel(x, y)); };
+  const int cascades = int(drawn.cascades.size());
+  const int side = RayTracedVisibility::sideFor(drawn.maps.front()->width(), cascades);
   // A penumbra has many texels: four places to a side of each leave an error far below a filter's.
   const RayTracedVisibility rays = lightRays(frame, scene, settings, std::min(side, 4));
-  const int stride = strideFor(frame, settings, surfaces);
+  const int stride = strideFor(tapsOf(drawn, receives), mostTaps);
   RayTracedReference result{
       Image<float>(surfaces.width(), surfaces.height(), 1, RayTracedReference::absent), stride};
-  const int rows = 32 * stride;
-  for (int first = 0; first < surfaces.height(); first += rows) {
-    const auto reads = readsOf(frame, settings, surfaces, first, first + rows, stride);
-    constexpr int share = 64;
-    onEveryCore((int(reads.size()) + share - 1) / share, [&](int part) {
-      for (int i = part * share; i < std::min((part + 1) * share, int(reads.size())); ++i) {
-        const Probe probe = takeProbe(reads[i].request);
-        result.visibility(reads[i].x, reads[i].y) = float(rays(probe.region, probe.receiver));
-      }
-    });
-  }
+  onEveryCore((surfaces.height() + stride - 1) / stride, [&](int row) {
+    const int y = row * stride;
+    for (int x = 0; x < surfaces.width(); x += stride) {
+      if (!receives(x, y)) continue;
+      const Probe probe = takeProbe(requestAt(drawn, x, y));
+      result.visibility(x, y) = float(rays(probe.region, probe.receiver));
+    }
+  });
   return result;
 }
 

@@ -7,6 +7,8 @@
 
 #include "ui/ControlPane.h"
 #include "ui/DockGrip.h"
+#include "ui/ErrorController.h"
+#include "ui/ErrorPane.h"
 #include "ui/EvidencePanes.h"
 #include "ui/ExplainPane.h"
 #include "ui/KeptProbesPane.h"
@@ -74,6 +76,13 @@ void MainWindow::makeDocks() {
   evidence_->follow(explain->plot());
   addDock(tr("More plots"), "explainDock", explain, Qt::RightDockWidgetArea);
   tabifyDockWidget(docks_[3], docks_.back());
+  auto* errors = new ErrorController(controller_, *view_, *prober_, this);
+  connect(errors, &ErrorController::failed, this, &MainWindow::showError);
+  const QDockWidget* error =
+      addDock(tr("Error"), "errorDock", new ErrorPane(*errors, *prober_), Qt::RightDockWidgetArea);
+  // A dock behind another's tab is shown, to itself: only this tells.
+  connect(error, &QDockWidget::visibilityChanged, errors, &ErrorController::setWatched);
+  tabifyDockWidget(docks_[3], docks_.back());
 }
 
 QDockWidget* MainWindow::addDock(const QString& title, const QString& name, QWidget* content,
@@ -97,7 +106,8 @@ void MainWindow::resetLayout() {
               *map = dockOf("mapDock"), *curves = dockOf("curvesDock"),
               *histogram = dockOf("histogramDock"), *cdf = dockOf("cdfDock"),
               *trace = dockOf("traceDock"), *layers = dockOf("layersDock"),
-              *explain = dockOf("explainDock"), *probes = dockOf("probesDock");
+              *explain = dockOf("explainDock"), *probes = dockOf("probesDock"),
+              *error = dockOf("errorDock");
   for (QDockWidget* dock : docks_) dock->setFloating(false);
   for (QDockWidget* dock : docks_) removeDockWidget(dock);
   addDockWidget(Qt::LeftDockWidgetArea, controls);
@@ -112,10 +122,12 @@ void MainWindow::resetLayout() {
   tabifyDockWidget(histogram, cdf);
   tabifyDockWidget(cdf, layers);
   tabifyDockWidget(layers, explain);
+  tabifyDockWidget(curves, error);  // on top of the tallest: it is a picture
   tabifyDockWidget(table, trace);
   tabifyDockWidget(trace, probes);
   for (QDockWidget* dock : docks_) dock->show();
-  (tall ? histogram : curves)->raise();
+  curves->raise();
+  if (tall) histogram->raise();
   table->raise();
 
   const int side = width() < 1500 ? 268 : 290, right = width() * 35 / 100;

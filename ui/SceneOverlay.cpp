@@ -63,6 +63,7 @@ void SceneOverlay::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   drawCurtain(painter);
+  drawSelection(painter);
   drawRay(painter);
   drawPatch(painter);
   drawSun(painter);
@@ -87,6 +88,14 @@ void SceneOverlay::drawCurtain(QPainter& painter) const {
                      contents_.curtainText);
   }
   painter.restore();
+}
+
+void SceneOverlay::drawSelection(QPainter& painter) const {
+  if (contents_.selection.isEmpty()) return;
+  QPainterPath path;
+  path.addPolygon(contents_.selection);
+  path.closeSubpath();
+  drawOutlined(painter, path, QPen(style::accent.lighter(140), 1.6));
 }
 
 void SceneOverlay::drawRay(QPainter& painter) const {

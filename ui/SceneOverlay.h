@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QImage>
+#include <QPolygonF>
 #include <QWidget>
 #include <optional>
 
@@ -27,6 +28,7 @@ class SceneOverlay : public QWidget {
     bool wrong = false;            // the verdict is an error
     std::vector<ProbeMark> marks;  // of the kept probes
     QString hint;                  // one sentence at the bottom; empty for none
+    QPolygonF selection;           // a closed outline, widget points; empty for none
     // Beneath all this, another picture from `curtainAt` (0 … 1) of the width on to the right, or
     // to the left, or what is said in its place.
     QImage curtain;
@@ -44,6 +46,7 @@ class SceneOverlay : public QWidget {
 
  private:
   void drawCurtain(QPainter& painter) const;
+  void drawSelection(QPainter& painter) const;
   void drawRay(QPainter& painter) const;
   void drawPatch(QPainter& painter) const;
   void drawSun(QPainter& painter) const;

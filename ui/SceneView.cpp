@@ -145,6 +145,14 @@ void SceneView::setCurtain(const QImage& picture, double at, const QString& inst
   refreshOverlay();
 }
 
+void SceneView::setSelection(const QPolygonF& pixels) {
+  QPolygonF selection;
+  for (const QPointF& point : pixels) selection << point / devicePixelRatioF();
+  if (selection == contents_.selection) return;
+  contents_.selection = selection;
+  refreshOverlay();
+}
+
 QSize SceneView::pixels() const {
   const double ratio = devicePixelRatioF();
   return {int(std::lround(width() * ratio)), int(std::lround(height() * ratio))};

@@ -35,6 +35,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   // Another picture over the part of this one to the right of `at` of its width (0 … 1), or to the
   // left of it; `instead` is said there where there is none. Both empty show this one alone.
   void setCurtain(const QImage& picture, double at, const QString& instead, bool left);
+  // Outlines a part of the picture; empty for none.
+  void setSelection(const QPolygonF& pixels);
   const SceneOverlay::Contents& overlayContents() const { return contents_; }
 
   QSize pixels() const;  // of the picture

@@ -51,7 +51,7 @@ QString windowSheet() {
     QStatusBar { background: white; border-top: 1px solid %1; color: %4; }
     QStatusBar QLabel { color: %4; padding: 0 6px; }
     QStatusBar::item { border: none; }
-    QTabBar::tab { padding: 4px 12px; border: 1px solid transparent; color: %4; background: transparent;
+    QTabBar::tab { padding: 4px 8px; border: 1px solid transparent; color: %4; background: transparent;
                    border-bottom: 2px solid transparent; }
     QTabBar::tab:hover { color: %3; }
     QTabBar::tab:selected { color: %3; border-bottom: 2px solid %3; }

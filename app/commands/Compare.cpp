@@ -43,8 +43,10 @@ CompareCommand::CompareCommand(CLI::App& command) {
       ->type_name("Z")
       ->group(group);
   command
-      .add_option("-o,--output", folder,
-                  "Write compare.json, compare.csv and, of a scene, each technique's error picture")
+      .add_option(
+          "-o,--output", folder,
+          "Write compare.json, compare.csv and, of a scene, each technique's error picture; "
+          "with --decompose the parts as decomposition-TECHNIQUE.exr")
       ->type_name("DIR")
       ->group(group);
   command
@@ -182,7 +184,13 @@ void CompareCommand::compareScene(const Session& session) const {
     if (files && !rays)
       display->writePictures({{id, frame->colour()}}, files->file("error-" + id + ".png"));
     std::optional<ErrorSums> parts;
-    if (decompose) parts = sumsOf(decomposeFrame(*frame, session.frame, *technique));
+    if (decompose) {
+      const ErrorDecomposition taken = decomposeFrame(*frame, session.frame, *technique);
+      parts = sumsOf(taken);
+      if (files)
+        decompositionFile(session, *technique, taken)
+            .write(files->file("decomposition-" + id + ".exr"));
+    }
     std::optional<SurfaceErrors> onMesh;
     if (onSurfaces) onMesh = onSurfaces->errors(*frame, *technique);
     if (onMesh && files)

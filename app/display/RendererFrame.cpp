@@ -36,6 +36,9 @@ Image<std::uint8_t> RendererFrame::colour() {
 Image<float> RendererFrame::surfaces() {
   return checked(renderer_.surfaces());
 }
+Image<float> RendererFrame::footprints() {
+  return checked(renderer_.footprints());
+}
 Image<float> RendererFrame::reference() {
   return checked(renderer_.reference());
 }

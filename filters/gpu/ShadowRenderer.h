@@ -83,8 +83,8 @@ class ShadowRenderer {
   // Four channels: u, v, z_r, visibility. u < 0 where there is no surface; z_r is negated where
   // the surface faces away from the light, and (u, v) leave [0,1] outside the light's frame.
   Image<float> surfaces();
-  // Four channels: Footprint::x, ::y, ::probes, cascade + weight of the next one. Empty where
-  // neither the read nor several cascades need them.
+  // Four channels: x, y and probes of each pixel's footprint, then its cascade plus the weight of
+  // the next one: SurfacePoint's. Empty where the frame's reads have no footprint and one map.
   Image<float> footprints();
   std::optional<SurfacePoint> surfaceAt(int x, int y);
   // Exact percentage-closer filtering of every pixel of the last frame over the region that the

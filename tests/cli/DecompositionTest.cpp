@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "tests/cli/Process.h"
 #include "tests/cli/SmallMap.h"
@@ -71,6 +72,42 @@ TEST(Decomposition, OtherReadsAreTakenApartAsWell) {
     EXPECT_LT(std::abs(found["precision"].get<double>()), 0.01 * found["bleeding"].get<double>())
         << more[0];
   }
+}
+
+TEST(Decomposition, MapsAreWrittenWhoseMeansAreTheNumbers) {
+  const TemporaryFolder folder;
+  const std::string out = folder.file("out");
+  const Outcome outcome = run({"compare", "--scene", "three-planes", "--technique", "vsm,pcf",
+                               "--set", "vsm.bleed-reduction=0.2", "--size", "160x120",
+                               "--map-size", "256", "--decompose", "-o", out});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_TRUE(std::filesystem::exists(out + "/decomposition-pcf.exr"));
+  const std::string file = out + "/decomposition-vsm.exr";
+  const Json row = Json::parse(contentOf(out + "/compare.json"))["techniques"][0];
+  const DepthMap receives = readDepthFile(file, "receives");
+  ASSERT_EQ(receives.width(), 160);
+  ASSERT_EQ(receives.height(), 120);
+  double pixels = 0.0;
+  for (double one : receives.values()) {
+    EXPECT_TRUE(one == 0.0 || one == 1.0);
+    pixels += one;
+  }
+  for (const char* part : parts) {
+    const DepthMap values = readDepthFile(file, part, -1.0, 1.0);  // from [−1, 1] to [0, 1]
+    double sum = 0.0;
+    for (std::size_t i = 0; i < values.values().size(); ++i) {
+      const double value = 2.0 * values.values()[i] - 1.0;
+      if (receives.values()[i] == 0.0) EXPECT_EQ(value, 0.0);
+      sum += value;
+    }
+    // Each value of at most 1 was rounded to a float once, by half of 2^−24 at most.
+    EXPECT_NEAR(sum / pixels, row["decomposition"][part].get<double>(), std::ldexp(1.0, -25))
+        << part;
+  }
+  const Outcome plain = run({"compare", "--scene", "three-planes", "--technique", "vsm", "--size",
+                             "64x48", "--map-size", "64", "-o", out});
+  ASSERT_EQ(plain.status, 0) << plain.err;
+  EXPECT_FALSE(std::filesystem::exists(out + "/decomposition-vsm.exr")) << "nobody asked for it";
 }
 
 TEST(Decomposition, IsOfScenesOnlyAndOnlyWhenAskedFor) {

@@ -47,6 +47,30 @@ TEST_F(Cascaded, CascadesOfTheWholeMapChangeNothing) {
   EXPECT_GT(seams, 50);
 }
 
+TEST_F(Cascaded, FootprintsReadAtOnceAreThoseOfEveryPixel) {
+  settings.read.filter = ReadFilter::Anisotropic;
+  show(test::avenue(), "vsm");
+  const Image<float> footprints = renderer->footprints();
+  ASSERT_EQ(footprints.channels(), 4);
+  ASSERT_EQ(footprints.width(), width);
+  int surfaces = 0;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const auto point = renderer->surfaceAt(x, y);
+      if (!point) continue;
+      ++surfaces;
+      ASSERT_EQ(footprints(x, y, 0), float(point->footprint.x)) << x << "," << y;
+      ASSERT_EQ(footprints(x, y, 1), float(point->footprint.y)) << x << "," << y;
+      ASSERT_EQ(footprints(x, y, 2), float(point->footprint.probes)) << x << "," << y;
+      ASSERT_EQ(footprints(x, y, 3), float(point->cascade + point->nextCascade));
+    }
+  EXPECT_GT(surfaces, 1000);
+  settings.map.cascades.count = 1;
+  settings.read.filter = ReadFilter::Bilinear;
+  showAgain();
+  EXPECT_TRUE(renderer->footprints().empty());
+}
+
 TEST_F(Cascaded, EveryPixelIsDrawnFromTheCascadeOfItsDistance) {
   for (LightKind kind : {LightKind::Directional, LightKind::Spot}) {
     SCOPED_TRACE(nameOf(kind));

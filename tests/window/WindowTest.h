@@ -42,6 +42,11 @@ class WindowTest : public QObject {
   void lloydIsSteppedToItsEndAndUndone();
   void whatLloydPlayedIsOneStep();
   void aTechniqueWithoutLayersNamesThoseThatHaveThem();
+  void theErrorIsTakenApartAsByHand();
+  void aLassoCountsWhatItCircles();
+  void aPixelOfTheErrorIsProbed();
+  void theErrorOfAnEarlierPictureFades();
+  void withoutAPictureTheErrorSaysWhy();
   void aWipeIsDragged();
   void aWipesSidesStayWhereTheyAre();
   void panesAreLabelledWithTheirErrorAtTheProbe();

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include "filters/gpu/ViewColours.h"
+
 namespace umbra {
 namespace {
 
@@ -13,9 +15,12 @@ constexpr QRgb viridis[] = {0xff440154, 0xff481567, 0xff482677, 0xff453781, 0xff
                             0xff1f968b, 0xff20a387, 0xff29af7f, 0xff3cbb75, 0xff55c667,
                             0xff73d055, 0xff95d840, 0xffb8de29, 0xffdce319, 0xfffde725};
 constexpr QRgb grey[] = {0xff000000, 0xffffffff};
-// White at zero; both arms darken evenly, so that equal errors look equally strong.
-constexpr QRgb diverging[] = {0xff1b4a8f, 0xff3f6fb5, 0xff8fb0dc, 0xffffffff,
-                              0xffeaa0a9, 0xffd1344b, 0xff8e1329};
+
+QRgb rgbOf(const ViewColour& colour) {
+  return QColor::fromRgbF(double(colour[0]), double(colour[1]), double(colour[2])).rgb();
+}
+// The error view's own colours.
+const QRgb diverging[] = {rgbOf(darkeningColour), rgbOf(noErrorColour), rgbOf(bleedingColour)};
 
 std::array<QRgb, 256> tableOf(std::span<const QRgb> stops) {
   std::array<QRgb, 256> table{};

@@ -1,0 +1,176 @@
+#include "analysis/DrawnFrame.h"
+
+#include <gtest/gtest.h>
+
+#include "analysis/FrameDecomposition.h"
+#include "analysis/ReceiverPixels.h"
+#include "analysis/TestMaps.h"
+
+namespace umbra {
+namespace {
+
+constexpr int width = 40, height = 24;
+
+// A frame whose pixels read a map evenly, at one depth; every fifth column is turned away.
+struct Frame {
+  explicit Frame(const char* id, double reduction = 0.0) {
+    const std::unique_ptr<Technique> made = allTechniques().make(id);
+    if (reduction > 0.0)
+      parameterNamed(made->parameters(), "bleed-reduction", id).set(reduction, id);
+    technique = made->clone();
+    drawn.settings.kernel = {KernelShape::Box, 2};
+    drawn.settings.read.filter = ReadFilter::Bilinear;
+    drawn.settings.map.format = StorageFormat::Half;
+    drawn.maps = {&map};
+    drawn.cascades.resize(1);
+    drawn.surfaces = Image<float>(width, height, 4);
+    reference = Image<float>(width, height);
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) {
+        drawn.surfaces(x, y, 0) = float(x) / width;
+        drawn.surfaces(x, y, 1) = float(y) / height;
+        drawn.surfaces(x, y, 2) = x % 5 == 0 ? -0.62F : 0.62F;
+        ProbeRequest request = requestAt(drawn, x, y);
+        request.techniques = {technique};
+        const Probe probe = takeProbe(request);
+        drawn.surfaces(x, y, 3) = float(probe.techniques[0].visibility);
+        reference(x, y) = float(probe.reference);
+      }
+  }
+  ErrorDecomposition taken(int stride = 1) const {
+    return decomposeFrame(drawn, reference, technique, {}, stride, [](double) {});
+  }
+
+  DepthMap map = randomMap(32, 32, 5), next = randomMap(32, 32, 6);
+  DrawnFrame drawn;
+  Image<float> reference;
+  std::shared_ptr<const Technique> technique;
+};
+
+TEST(DrawnFrame, APixelReadsWhatTheSettingsSay) {
+  const Frame frame("vsm");
+  const ProbeRequest request = requestAt(frame.drawn, 7, 9);
+  EXPECT_EQ(&request.map, &frame.map);
+  EXPECT_EQ(request.read.filter, ReadFilter::Bilinear);
+  EXPECT_EQ(request.read.u, double(7.0F / width));
+  EXPECT_EQ(request.read.v, double(9.0F / height));
+  EXPECT_EQ(request.kernel, frame.drawn.settings.kernel);
+  EXPECT_EQ(request.format, StorageFormat::Half);
+  EXPECT_EQ(request.receiver, double(0.62F));
+  EXPECT_EQ(requestAt(frame.drawn, 5, 9).receiver, double(0.62F)) << "turned away";
+  EXPECT_EQ(request.cascade, 0);
+  EXPECT_FALSE(request.seam);
+}
+
+TEST(DrawnFrame, FootprintsAndCascadesAreThePixelsOwn) {
+  Frame frame("vsm");
+  frame.drawn.settings.read.filter = ReadFilter::Anisotropic;
+  frame.drawn.maps = {&frame.map, &frame.next};
+  frame.drawn.cascades.resize(2);
+  frame.drawn.cascades[1].side = 0.5;
+  frame.drawn.footprints = Image<float>(width, height, 4);
+  const float inSeam[] = {6.0F, 2.0F, 3.0F, 0.25F}, inNext[] = {4.0F, 1.0F, 2.0F, 1.0F};
+  std::copy(inSeam, inSeam + 4, frame.drawn.footprints.pixel(3, 4).begin());
+  std::copy(inNext, inNext + 4, frame.drawn.footprints.pixel(4, 4).begin());
+  const ProbeRequest seam = requestAt(frame.drawn, 3, 4);
+  EXPECT_EQ(seam.read.footprint, (Footprint{6.0, 2.0, 3}));
+  EXPECT_EQ(&seam.map, &frame.map);
+  ASSERT_TRUE(seam.seam);
+  EXPECT_EQ(seam.seam->weight, 0.25);
+  EXPECT_EQ(&seam.seam->map, &frame.next);
+  // Texels of a window half as wide are half as large.
+  EXPECT_EQ(seam.seam->read.footprint, (Footprint{12.0, 4.0, 3}));
+  const ProbeRequest next = requestAt(frame.drawn, 4, 4);
+  EXPECT_EQ(&next.map, &frame.next);
+  EXPECT_EQ(next.cascade, 1);
+  EXPECT_FALSE(next.seam);
+}
+
+TEST(DrawnFrame, TapsAreCountedOnAGrid) {
+  const Frame frame("vsm");
+  // Pixels (0 | 16 | 32, 0 | 16) read positions half-way between texels or nearer to one: at
+  // u = 0, v = 0 the taps left of the map repeat its edge and count as well.
+  double expected = 0.0;
+  for (int y : {0, 16})
+    for (int x : {0, 16, 32})
+      expected += double(takeProbe(requestAt(frame.drawn, x, y)).region.texels.size());
+  EXPECT_EQ(tapsOf(frame.drawn, [](int, int) { return true; }), 256.0 * expected);
+  EXPECT_EQ(tapsOf(frame.drawn, [](int x, int) { return x > 32; }), 0.0);
+}
+
+TEST(DrawnFrame, AGridReadsNoMoreThanIsAllowed) {
+  EXPECT_EQ(strideFor(0.0, 10.0), 1);
+  EXPECT_EQ(strideFor(10.0, 10.0), 1);
+  EXPECT_EQ(strideFor(11.0, 10.0), 2);
+  EXPECT_EQ(strideFor(40.0, 10.0), 2);
+  EXPECT_EQ(strideFor(41.0, 10.0), 3);
+}
+
+TEST(FrameDecomposition, TakesEveryPixelAsOneTakesIt) {
+  const Frame frame("vsm", 0.2);
+  const ErrorDecomposition taken = frame.taken();
+  const auto techniques = decompositionTechniques(frame.technique);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      ASSERT_EQ(taken.receives(x, y), x % 5 == 0 ? 0 : 1);
+      if (!taken.receives(x, y)) continue;
+      const double v = frame.drawn.surfaces(x, y, 3), truth = frame.reference(x, y);
+      if (!worthDecomposing(v, truth, true, {})) continue;
+      ProbeRequest request = requestAt(frame.drawn, x, y);
+      request.format = StorageFormat::Double;
+      request.techniques = techniques;
+      const ErrorParts expected = decomposed(v, truth, takeProbe(request));
+      for (int i = 0; i < errorPartCount; ++i)
+        ASSERT_EQ(taken.parts(x, y, i), expected[i]) << x << "," << y << " " << i;
+    }
+}
+
+TEST(FrameDecomposition, AGridHasTheSamePixelsOrNone) {
+  const Frame frame("vsm");
+  const ErrorDecomposition every = frame.taken(), third = frame.taken(3);
+  EXPECT_EQ(third.stride, 3);
+  std::size_t pixels = 0;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const bool onGrid = x % 3 == 0 && y % 3 == 0;
+      EXPECT_EQ(third.receives(x, y), onGrid ? every.receives(x, y) : 0);
+      pixels += onGrid && every.receives(x, y);
+      const PicturePixel stands = third.takenPixel(x, y);
+      EXPECT_TRUE(stands.x % 3 == 0 && stands.y % 3 == 0 && x - stands.x < 3 && y - stands.y < 3);
+      for (int i = 0; i < errorPartCount; ++i)
+        EXPECT_EQ(third.parts(x, y, i), onGrid ? every.parts(x, y, i) : 0.0);
+    }
+  EXPECT_EQ(sumsOf(third).pixels, pixels);
+}
+
+TEST(FrameDecomposition, ItsGridIsAsWideAsTheTapsAsk) {
+  const Frame frame("vsm");
+  const auto counts = [&](int x, int y) {
+    return receivesShadow(frame.drawn.surfaces.pixel(x, y)) &&
+           worthDecomposing(frame.drawn.surfaces(x, y, 3), frame.reference(x, y), false, {});
+  };
+  const double taps = tapsOf(frame.drawn, counts);
+  ASSERT_GT(taps, 0.0);
+  const auto stride = [&](double most) {
+    return decompositionStride(frame.drawn, frame.reference, *frame.technique, {}, most);
+  };
+  EXPECT_EQ(stride(taps), 1);
+  EXPECT_EQ(stride(taps / 9.0), 3);
+}
+
+TEST(FrameDecomposition, TellsHowFarItIsAndCanBeStopped) {
+  const Frame frame("vsm");
+  double last = -1.0;
+  decomposeFrame(frame.drawn, frame.reference, frame.technique, {}, 1, [&](double done) {
+    EXPECT_GT(done, last);
+    EXPECT_LT(done, 1.0);
+    last = done;
+  });
+  struct Stopped {};
+  EXPECT_THROW(decomposeFrame(frame.drawn, frame.reference, frame.technique, {}, 1,
+                              [](double) { throw Stopped{}; }),
+               Stopped);
+}
+
+}  // namespace
+}  // namespace umbra

@@ -1,0 +1,25 @@
+// The error of a whole frame, taken apart on every core.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "analysis/DrawnFrame.h"
+#include "analysis/ErrorDecomposition.h"
+
+namespace umbra {
+
+// `reference` as ShadowRenderer gives it; `technique` as the frame was drawn with it, adapted to
+// the first cascade's map. Of every `stride`-th pixel of every `stride`-th row. `progress` is
+// called now and then with the part that is done, 0 … 1; what it throws stops the work.
+ErrorDecomposition decomposeFrame(const DrawnFrame& frame, const Image<float>& reference,
+                                  const std::shared_ptr<const Technique>& technique,
+                                  const DecompositionSettings& how, int stride,
+                                  const std::function<void(double)>& progress);
+
+// The stride at which that reads some `mostTaps` taps, or fewer.
+int decompositionStride(const DrawnFrame& frame, const Image<float>& reference,
+                        const Technique& technique, const DecompositionSettings& how,
+                        double mostTaps);
+
+}  // namespace umbra

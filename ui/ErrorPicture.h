@@ -1,0 +1,17 @@
+// A frame's error as a picture in the colours of the error view.
+#pragma once
+
+#include <QImage>
+#include <optional>
+
+#include "analysis/ErrorDecomposition.h"
+
+namespace umbra {
+
+// One part, or the whole error, in colours that are full at ±`range`; a little darker where the
+// reference is in shadow, grey where no shadow falls, so that the scene is found in it. `surfaces`
+// and `reference` as ShadowRenderer gives them.
+QImage errorPicture(const ErrorDecomposition& errors, std::optional<ErrorPart> part, double range,
+                    const Image<float>& surfaces, const Image<float>& reference);
+
+}  // namespace umbra
