@@ -26,7 +26,7 @@ QString textOf(const SurfaceSummary& summary) {
   const SurfaceMeshSettings asked;
   if (summary.edge <= asked.edge) return text;
   return text + MainWindow::tr(
-                    " Its edges are up to %1 texels long in place of %2, which would "
+                    " The mesh's edges are up to %1 texels long in place of %2, which would "
                     "take more than %L3 faces.")
                     .arg(summary.edge)
                     .arg(asked.edge)

@@ -81,7 +81,9 @@ CompareCommand::CompareCommand(CLI::App& command) {
       "shows\n"
       "alone. Of frames with very wide regions it counts an even grid of pixels ('samples'), and "
       "-o\n"
-      "writes no error pictures.");
+      "writes no error pictures. --surfaces counts what faces the light inside its map: of a body "
+      "the\n"
+      "outside, of a sheet both sides.");
   options.addTo(command);
 }
 
