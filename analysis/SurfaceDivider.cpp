@@ -5,12 +5,9 @@
 #include <unordered_map>
 
 namespace umbra {
-namespace {
 
 using Eigen::Vector3d;
 using Eigen::Vector4d;
-
-}  // namespace
 
 SurfaceDivider::SurfaceDivider(SurfaceMesh& mesh, const LightFrame& light, int mapSize)
     : mesh_(mesh), light_(light), toClip_(light.worldToClip()), size_(mapSize) {
