@@ -45,7 +45,6 @@ QString MainWindow::whyNoSurfaces() const {
   const std::string reason = whyNoSurfaceErrors(document.session.frame);
   if (!reason.empty()) return tr("Bleeding on the mesh: %1.").arg(style::text(reason));
   if (surfaces_->busy()) return tr("A mesh is being written; wait until it is there.");
-  if (!view_->upToDate()) return tr("The picture is being drawn; try again when it is there.");
   return {};
 }
 
@@ -63,6 +62,9 @@ void MainWindow::makeSurfaceExport() {
 void MainWindow::exportBleeding(const std::filesystem::path& file) {
   if (const QString reason = whyNoSurfaces(); !reason.isEmpty())
     throw Error(ErrorKind::BadCommandLine, reason.toStdString());
+  if (view_->stale()) view_->repaint();
+  if (view_->stale())
+    throw Error(ErrorKind::WorkFailed, tr("The picture cannot be drawn.").toStdString());
   ShadowRenderer& frame = *view_->lastFrame();
   SurfaceJob job{controller_.document().content.scene,
                  frame.lightFrame(),

@@ -67,9 +67,9 @@ void Prober::setVeil(const QString& reason) {
   if (reason == veil_) return;
   veil_ = reason;
   // A report refers to maps that are there only while it is announced: what is seen again is taken
-  // again.
+  // again, once all have heard of what lifts the veil.
   if (reason.isEmpty())
-    refresh();
+    QMetaObject::invokeMethod(this, &Prober::refresh, Qt::QueuedConnection);
   else
     emit reported();
 }
@@ -125,6 +125,9 @@ void Prober::pinWorstBleeding() {
 }
 
 void Prober::refresh() {
+  // A frame of other settings, or of another scene, says nothing of the present ones; the one that
+  // follows is probed.
+  if (controller_.document().content.scene && view_.stale()) return;
   try {
     report_ = take();
     emit reported();

@@ -60,6 +60,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   // The same of the first cascade's map, which techniques adapt to.
   int firstMapRevision() const { return firstMapRevision_; }
   int channelsRevision() const { return channelsRevision_; }
+  // What was asked for last is not drawn yet: a frame will follow.
+  bool stale() const { return stale_ || !drawn_; }
   // Whether the last frame shows all that was asked for, with splits at rest.
   bool upToDate() const { return drawn_ && !stale_ && !shadow_->splitsMoving(); }
 

@@ -250,7 +250,7 @@ void WindowTest::keptFiguresHideBehindAVeil() {
   QVERIFY(!pane.view().isVisible());
   QVERIFY(pane.asText('\t').isEmpty());
   window.prober().setVeil({});
-  QVERIFY(pane.view().isVisible());
+  QTRY_VERIFY(pane.view().isVisible());
   QVERIFY(!pane.asText('\t').isEmpty());
 }
 
