@@ -156,6 +156,9 @@ void KeptProbes::keep() {
     }
     keepProbe(session, std::move(probe));
   });
+  if (current() >= 0)
+    emit message(tr("Kept as “%1”: it has a row in the table of probes")
+                     .arg(style::text(controller_.session().keptProbe)));
   prober_.refresh();
 }
 

@@ -52,6 +52,7 @@ class KeptProbes : public QObject {
 
  signals:
   void changed();
+  void message(const QString& text);
 
  private:
   void sessionChanged(const Document& before, const Document& after);

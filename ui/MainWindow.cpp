@@ -95,6 +95,8 @@ void MainWindow::connectParts() {
   connect(evidence_, &EvidencePanes::message, statusBar(),
           [this](const QString& text) { statusBar()->showMessage(text, 6000); });
   connect(kept_, &KeptProbes::changed, this, [this] { view_->setMarks(marksOf(*kept_)); });
+  connect(kept_, &KeptProbes::message, statusBar(),
+          [this](const QString& text) { statusBar()->showMessage(text, 6000); });
   connect(view_, &SceneView::frameDrawn, this, &MainWindow::afterFrame);
   connect(view_, &SceneView::cameraMoved, this, [this](const Camera& camera) {
     controller_.edit(

@@ -40,8 +40,10 @@ std::optional<QRectF> placeOfName(const QPointF& centre, const QSizeF& size, con
 
 void drawDisc(QPainter& painter, const PlacedMark& placed) {
   const QRectF disc(placed.centre - QPointF(radius, radius), QSizeF(2 * radius, 2 * radius));
-  painter.setPen(QPen(QColor(0xff, 0xff, 0xff, 0xe0), 1.5));
-  painter.setBrush(style::probe);
+  const QColor light(0xff, 0xff, 0xff, 0xe0);
+  const bool hidden = placed.mark->hidden;
+  painter.setPen(QPen(hidden ? style::probe : light, 1.5));
+  painter.setBrush(hidden ? light : style::probe);
   painter.drawEllipse(disc);
   painter.setPen(style::ink);
   painter.drawText(disc, Qt::AlignCenter, QString::number(placed.mark->number));
@@ -75,7 +77,6 @@ void drawMarks(QPainter& painter, const std::vector<ProbeMark>& marks,
   numbers.setPointSizeF(numbers.pointSizeF() * 0.82);
   const QFontMetricsF metrics(names);
   for (const PlacedMark& each : placed) {
-    painter.setOpacity(each.mark->hidden ? 0.5 : 1.0);
     const QString name = metrics.elidedText(each.mark->name, Qt::ElideRight, widestName);
     const QSizeF size(metrics.horizontalAdvance(name) + 10.0, metrics.height() + 2.0);
     if (const auto place = placeOfName(each.centre, size, area, taken)) {
@@ -90,7 +91,6 @@ void drawMarks(QPainter& painter, const std::vector<ProbeMark>& marks,
     painter.setFont(numbers);
     drawDisc(painter, each);
   }
-  painter.setOpacity(1.0);
   painter.setFont(names);
 }
 

@@ -16,7 +16,7 @@ struct ProbeMark {
   int number = 1;  // of its row in the table
   QString name;
   Eigen::Vector3d point;  // world
-  bool hidden = false;    // from the camera: drawn faintly
+  bool hidden = false;    // from the camera: its disc is hollow
 };
 
 // Of all but the one that the session's probe is at, which is drawn as the probe.

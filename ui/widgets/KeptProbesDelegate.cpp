@@ -10,7 +10,7 @@ namespace umbra {
 namespace {
 
 constexpr int discSpace = 24;  // before a name
-constexpr int padding = 6;
+constexpr int padding = 4;
 constexpr int widestName = 190;
 
 QColor colourOf(double error) {
