@@ -136,7 +136,7 @@ std::optional<PicturePixel> worstPixel(const ErrorDecomposition& decomposition,
 }
 
 double colourRange(const ErrorDecomposition& decomposition, std::optional<ErrorPart> part) {
-  constexpr double within = 0.99;
+  constexpr double within = 0.95;
   std::vector<double> errors;
   for (int y = 0; y < decomposition.receives.height(); ++y)
     for (int x = 0; x < decomposition.receives.width(); ++x)

@@ -97,7 +97,7 @@ std::optional<PicturePixel> worstPixel(const ErrorDecomposition& decomposition,
                                        std::optional<ErrorPart> part,
                                        const Image<std::uint8_t>* selection = nullptr);
 // An end e for a scale of colours [−e, e]: the smallest of 0.01, 0.02, 0.05, 0.1, 0.2, 0.5 and 1
-// that 99 % of what is not 0 lies within.
+// that 95 % of what is not 0 lies within.
 double colourRange(const ErrorDecomposition& decomposition, std::optional<ErrorPart> part);
 
 struct LassoPoint {

@@ -30,15 +30,38 @@ ErrorDecomposition decomposeFrame(const DrawnFrame& frame, const Image<float>& r
   return result;
 }
 
-int decompositionStride(const DrawnFrame& frame, const Image<float>& reference,
-                        const Technique& technique, const DecompositionSettings& how,
-                        double mostTaps) {
+Image<float> referenceOf(const DrawnFrame& frame, int stride,
+                         const std::function<void(double)>& progress) {
+  const Image<float>& surfaces = frame.surfaces;
+  Image<float> reference(surfaces.width(), surfaces.height(), 1, 1.0f);
+  const int rows = (surfaces.height() + stride - 1) / stride;
+  onEveryCore(
+      rows,
+      [&](int row) {
+        const int y = row * stride;
+        for (int x = 0; x < surfaces.width(); x += stride)
+          if (receivesShadow(surfaces.pixel(x, y)))
+            reference(x, y) = float(takeProbe(requestAt(frame, x, y)).reference);
+      },
+      [&](int begun) { progress(double(begun) / rows); });
+  return reference;
+}
+
+int decompositionStride(const DrawnFrame& frame, const Technique& technique,
+                        const DecompositionSettings& how, double mostTaps) {
+  constexpr int step = 16;              // judged by every sixteenth pixel along both axes
+  constexpr double referenceTap = 0.1;  // what a tap costs of which no channels are made
   const bool reduces = bleedReduction(technique) > 0.0;
-  const double taps = tapsOf(frame, [&](int x, int y) {
-    return receivesShadow(frame.surfaces.pixel(x, y)) &&
-           worthDecomposing(frame.surfaces(x, y, 3), reference(x, y), reduces, how);
-  });
-  return strideFor(reduces ? 2.0 * taps : taps, mostTaps);
+  double cost = 0.0;
+  for (int y = 0; y < frame.surfaces.height(); y += step)
+    for (int x = 0; x < frame.surfaces.width(); x += step) {
+      if (!receivesShadow(frame.surfaces.pixel(x, y))) continue;
+      const Probe probe = takeProbe(requestAt(frame, x, y));
+      const bool taken = worthDecomposing(frame.surfaces(x, y, 3), probe.reference, reduces, how);
+      const double reads = taken ? (reduces ? 2.0 : 1.0) : 0.0;
+      cost += (referenceTap + reads) * double(probe.region.texels.size());
+    }
+  return strideFor(cost * step * step, mostTaps);
 }
 
 }  // namespace umbra

@@ -17,9 +17,14 @@ ErrorDecomposition decomposeFrame(const DrawnFrame& frame, const Image<float>& r
                                   const DecompositionSettings& how, int stride,
                                   const std::function<void(double)>& progress);
 
-// The stride at which that reads some `mostTaps` taps, or fewer.
-int decompositionStride(const DrawnFrame& frame, const Image<float>& reference,
-                        const Technique& technique, const DecompositionSettings& how,
-                        double mostTaps);
+// Exact percentage-closer filtering of the pixels that this takes, like ShadowRenderer's reference
+// but for the last bits, without asking the GPU; 1 elsewhere.
+Image<float> referenceOf(const DrawnFrame& frame, int stride,
+                         const std::function<void(double)>& progress);
+
+// The stride at which both together take as long as the technique's reads of some `mostTaps` taps,
+// or less.
+int decompositionStride(const DrawnFrame& frame, const Technique& technique,
+                        const DecompositionSettings& how, double mostTaps);
 
 }  // namespace umbra

@@ -31,16 +31,19 @@ Image<std::uint8_t> maskOf(const QPolygonF& lasso, int width, int height) {
 struct ErrorController::Gathered {
   std::vector<DepthMap> maps;
   DrawnFrame frame;  // refers to `maps`
-  Image<float> reference;
   std::shared_ptr<Technique> technique;
 
   // What `progress` throws stops it.
   std::shared_ptr<const Taken> taken(const std::function<void(double)>& progress) const {
     const DecompositionSettings how;
-    const int stride = decompositionStride(frame, reference, *technique, how, mostTaps);
+    const int stride = decompositionStride(frame, *technique, how, mostTaps);
+    constexpr double first = 0.25;  // of the time, for the reference
+    const Image<float> reference =
+        referenceOf(frame, stride, [&](double part) { progress(first * part); });
     return std::make_shared<const Taken>(
         Taken{style::text(technique->info().title), frame.surfaces, reference,
-              decomposeFrame(frame, reference, technique, how, stride, progress)});
+              decomposeFrame(frame, reference, technique, how, stride,
+                             [&](double part) { progress(first + (1.0 - first) * part); })});
   }
 };
 
@@ -147,7 +150,8 @@ void ErrorController::computeBeside(const std::shared_ptr<const Gathered>& gathe
   });
 }
 
-// What needs OpenGL, on the interface's thread.
+// What needs OpenGL, on the interface's thread. The reference is none of it: over wide regions a
+// slow GPU takes seconds, in which nothing would move.
 std::shared_ptr<const ErrorController::Gathered> ErrorController::gather() {
   view_.makeCurrent();
   ShadowRenderer& frame = *view_.lastFrame();
@@ -157,7 +161,6 @@ std::shared_ptr<const ErrorController::Gathered> ErrorController::gather() {
   gathered->frame = {
       controller_.session().frame, frame.surfaces(), frame.footprints(), frame.cascades(), {}};
   for (const DepthMap& map : gathered->maps) gathered->frame.maps.push_back(&map);
-  gathered->reference = frame.reference();
   gathered->technique = controller_.technique().clone();
   // The picture's own splits, so that both agree to the last digit.
   const std::vector<double> splits = frame.adaptedSplits();

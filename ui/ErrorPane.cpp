@@ -65,6 +65,7 @@ ErrorPane::ErrorPane(ErrorController& errors, Prober& prober, QWidget* parent)
   QPalette muted = grid_->palette();
   muted.setColor(QPalette::WindowText, style::muted);
   grid_->setPalette(muted);
+  grid_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
 
   connect(worst_, &QToolButton::clicked, &errors_, &ErrorController::goToWorst);
   connect(clear_, &QToolButton::clicked, &errors_, &ErrorController::clearLasso);
@@ -143,7 +144,7 @@ void ErrorPane::refreshFigures() {
   table_->setPart(errors_.part());
   const int stride = painted_ ? painted_->errors.stride : 1;
   grid_->setVisible(stride > 1);
-  grid_->setText(tr("1 of %1 pixels, on a grid: wide regions").arg(stride * stride));
+  grid_->setText(tr("1 of %1 pixels: wide regions").arg(stride * stride));
   worst_->setEnabled(current);
   clear_->setEnabled(painted_ && errors_.lassoSums());
   copy_->setEnabled(current);

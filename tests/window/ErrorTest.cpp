@@ -43,12 +43,32 @@ ErrorPane& errorPaneOf(MainWindow& window) {
   return *window.findChild<ErrorPane*>();
 }
 
-// Pixel by pixel on one thread, with requests put together here.
-ErrorDecomposition takenByHand(MainWindow& window) {
-  ShadowRenderer& frame = *window.view().lastFrame();
-  const Image<float> surfaces = frame.surfaces(), reference = frame.reference();
-  const DepthMap map = frame.depthMap();
+// What a pixel reads, put together here.
+ProbeRequest requestByHand(MainWindow& window, const Image<float>& surfaces, const DepthMap& map,
+                           int x, int y) {
   const FrameSettings& settings = window.controller().session().frame;
+  return {.map = map,
+          .read = {settings.read.filter, surfaces(x, y, 0), surfaces(x, y, 1), {}},
+          .kernel = settings.kernel,
+          .receiver = surfaces(x, y, 2)};
+}
+
+Image<float> referenceByHand(MainWindow& window) {
+  const Image<float> surfaces = window.view().lastFrame()->surfaces();
+  const DepthMap map = window.view().lastFrame()->depthMap();
+  Image<float> reference(surfaces.width(), surfaces.height(), 1, 1.0F);
+  for (int y = 0; y < surfaces.height(); ++y)
+    for (int x = 0; x < surfaces.width(); ++x)
+      if (receivesShadow(surfaces.pixel(x, y)))
+        reference(x, y) = float(takeProbe(requestByHand(window, surfaces, map, x, y)).reference);
+  return reference;
+}
+
+// Pixel by pixel on one thread.
+ErrorDecomposition takenByHand(MainWindow& window) {
+  const Image<float> surfaces = window.view().lastFrame()->surfaces();
+  const Image<float> reference = referenceByHand(window);
+  const DepthMap map = window.view().lastFrame()->depthMap();
   const std::shared_ptr<Technique> technique = window.controller().technique().clone();
   technique->adapt(map);
   const auto techniques = decompositionTechniques(technique);
@@ -57,12 +77,9 @@ ErrorDecomposition takenByHand(MainWindow& window) {
     decomposeRow(
         surfaces, reference, y, techniques.size() > 1,
         [&](int x, int row) {
-          return takeProbe(
-              {.map = map,
-               .read = {settings.read.filter, surfaces(x, row, 0), surfaces(x, row, 1), {}},
-               .kernel = settings.kernel,
-               .receiver = surfaces(x, row, 2),
-               .techniques = techniques});
+          ProbeRequest request = requestByHand(window, surfaces, map, x, row);
+          request.techniques = techniques;
+          return takeProbe(request);
         },
         {}, result);
   return result;
@@ -150,8 +167,8 @@ void WindowTest::aLassoCountsWhatItCircles() {
   const QVector<QPoint> triangle = triangleIn(canvas);
   draw(canvas, triangle);
   const Image<std::uint8_t> mask = maskOf(canvas, triangle);
-  ShadowRenderer& frame = *window.view().lastFrame();
-  const Image<float> surfaces = frame.surfaces(), reference = frame.reference();
+  const Image<float> surfaces = window.view().lastFrame()->surfaces();
+  const Image<float> reference = referenceByHand(window);
   double error = 0.0;
   std::size_t pixels = 0;
   for (int y = 0; y < mask.height(); ++y)
