@@ -2,6 +2,7 @@
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QResizeEvent>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -40,15 +41,13 @@ ErrorPane::ErrorPane(ErrorController& errors, Prober& prober, QWidget* parent)
       canvas_(new PictureCanvas),
       legend_(new ColourBar),
       table_(new ErrorTable),
-      grid_(new ElidedLabel) {
+      grid_(new ElidedLabel),
+      readout_(new QLabel) {
   worst_ = addButton(tr("Go to the worst pixel"), "worstError",
                      tr("Pins the probe where the part that is shown is largest, inside the lasso "
                         "if there is one"));
   clear_ = addButton(tr("Clear"), "clearLasso", tr("Takes the lasso away (Escape)"));
   copy_ = addButton(tr("Copy"), "copyErrors", tr("Copies the table as text, tab separated"));
-  canvas_->setToolTip(
-      tr("Click: probe this pixel. Drag: circle a part of the picture, whose numbers stand in "
-         "the table. Wheel: look closer."));
   auto* left = new QVBoxLayout;
   left->setSpacing(4);
   left->addWidget(canvas_, 1);
@@ -57,7 +56,7 @@ ErrorPane::ErrorPane(ErrorController& errors, Prober& prober, QWidget* parent)
   right->setSpacing(4);
   right->addWidget(table_);
   right->addWidget(grid_);
-  right->addStretch(1);
+  right->addWidget(readout_, 1);
   halves_->setSpacing(8);
   halves_->addLayout(left, 1);
   halves_->addLayout(right);
@@ -65,6 +64,13 @@ ErrorPane::ErrorPane(ErrorController& errors, Prober& prober, QWidget* parent)
   QPalette muted = grid_->palette();
   muted.setColor(QPalette::WindowText, style::muted);
   grid_->setPalette(muted);
+  readout_->setObjectName("errorReadout");
+  readout_->setPalette(muted);
+  readout_->setWordWrap(true);
+  readout_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  // Wraps in the table's width, and asks for no height of its own: nothing moves under the pointer.
+  readout_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
+  readout_->setMinimumHeight(2 * fontMetrics().height());
   grid_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
 
   connect(worst_, &QToolButton::clicked, &errors_, &ErrorController::goToWorst);
@@ -75,7 +81,7 @@ ErrorPane::ErrorPane(ErrorController& errors, Prober& prober, QWidget* parent)
   connect(canvas_, &PictureCanvas::lassoDrawn, this,
           [this](const QPolygonF& lasso) { errors_.setLasso(lasso, canvas_->picture().size()); });
   connect(canvas_, &PictureCanvas::pixelHovered, this, &ErrorPane::showReadout);
-  connect(canvas_, &PictureCanvas::left, this, &ErrorPane::showLegend);
+  connect(canvas_, &PictureCanvas::left, this, &ErrorPane::showHint);
   connect(&errors_, &ErrorController::changed, this, &ErrorPane::refresh);
   connect(&errors_, &ErrorController::progressed, this, &ErrorPane::refreshNote);
   connect(&prober_, &Prober::reported, this, &ErrorPane::refreshMark);
@@ -117,6 +123,7 @@ void ErrorPane::refresh() {
   refreshNote();
   refreshMark();
   showLegend();
+  showHint();
 }
 
 void ErrorPane::refreshPicture() {
@@ -182,14 +189,21 @@ void ErrorPane::showReadout(int x, int y) {
     const QString whole = style::signedFigure(error);
     if (errors_.part())
       text =
-          tr("%1 of %2")
-              .arg(style::signedFigure(errorAt(errors, pixel.x, pixel.y, errors_.part())), whole);
+          tr("%1 %2, of %3 in all")
+              .arg(titleOf(errors_.part()).toLower(),
+                   style::signedFigure(errorAt(errors, pixel.x, pixel.y, errors_.part())), whole);
     else if (error == 0.0)
       text = whole;
     else
       text = tr("%1, mostly %2").arg(whole, titleOf(largestPart(errors, pixel)).toLower());
   }
-  legend_->setLabel(tr("%1 · pixel %2, %3").arg(text).arg(pixel.x).arg(pixel.y));
+  readout_->setText(tr("Pixel %1, %2: %3").arg(pixel.x).arg(pixel.y).arg(text));
+}
+
+void ErrorPane::showHint() {
+  readout_->setText(painted_ ? tr("Drag over the picture to circle a part of it; click to probe a "
+                                  "pixel; turn the wheel to look closer.")
+                             : QString());
 }
 
 }  // namespace umbra

@@ -8,6 +8,7 @@
 #include "ui/widgets/Card.h"
 
 class QBoxLayout;
+class QLabel;
 class QToolButton;
 
 namespace umbra {
@@ -41,6 +42,7 @@ class ErrorPane : public Card {
   void refreshMark();
   void showReadout(int x, int y);
   void showLegend();
+  void showHint();
 
   ErrorController& errors_;
   Prober& prober_;
@@ -50,6 +52,7 @@ class ErrorPane : public Card {
   ColourBar* legend_;
   ErrorTable* table_;
   ElidedLabel* grid_;  // says which pixels count
+  QLabel* readout_;    // of the pixel under the pointer; else what one can do
   // What the picture shows, so that only another one is painted anew.
   std::shared_ptr<const ErrorController::Taken> painted_;
   std::optional<ErrorPart> paintedPart_;

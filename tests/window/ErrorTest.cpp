@@ -2,6 +2,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QDockWidget>
+#include <QLabel>
 #include <QTest>
 #include <QToolButton>
 #include <algorithm>
@@ -214,6 +215,11 @@ void WindowTest::aPixelOfTheErrorIsProbed() {
   QVERIFY(window.controller().session().probe == clicked);
   QVERIFY(window.prober().report()->pixel == clicked);
   QVERIFY(errorsOf(window).current());  // a probe changes no error
+  moveMouse(&canvas, point);
+  const QString readout = window.findChild<QLabel*>("errorReadout")->text();
+  QVERIFY(readout.contains(QString("%1, %2:").arg(clicked.x).arg(clicked.y)));
+  QVERIFY(readout.contains(
+      style::signedFigure(*result("vsm").gpu - window.prober().report()->probe.reference)));
 
   const ErrorDecomposition& errors = errorsOf(window).taken()->errors;
   auto* worst = window.findChild<QToolButton*>("worstError");

@@ -100,7 +100,7 @@ ErrorTable::ErrorTable(QWidget* parent) : QTableWidget(pixelRow + 1, ColumnCount
   horizontalHeader()->setSectionResizeMode(Title, QHeaderView::Stretch);
   horizontalHeader()->setHighlightSections(false);
   horizontalHeader()->setSectionsClickable(false);
-  setStyleSheet(QString("QTableView { border: none; background: transparent; } "
+  setStyleSheet(QString("QTableView { border: none; background: transparent; outline: 0; } "
                         "QTableView::item:selected { background: %3; color: %4; } "
                         "QHeaderView { background: transparent; } QHeaderView::section { "
                         "border: none; border-bottom: 1px solid %1; background: transparent; "
