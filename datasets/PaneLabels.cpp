@@ -110,33 +110,38 @@ constexpr std::array frameTexts{kernelText, radiusText, sigmaText, readText,    
                                 sumsText,   formatText, sizeText,  samplesText, cascadesText,
                                 cutText,    biasText,   slopeText, planeText,   facesText};
 
+// Where more than half of them have the same text, that goes without saying.
 void addWhereDifferent(std::vector<std::string>& labels, const Column& column,
                        std::vector<std::size_t> rows) {
   std::erase_if(rows, [&](std::size_t row) { return column[row].empty(); });
-  const bool same = std::all_of(rows.begin(), rows.end(), [&](std::size_t row) {
-    return column[row] == column[rows.front()];
-  });
-  if (same) return;
-  for (const std::size_t row : rows)
+  for (const std::size_t row : rows) {
+    const auto alike = std::count_if(
+        rows.begin(), rows.end(), [&](std::size_t other) { return column[other] == column[row]; });
+    if (2 * std::size_t(alike) > rows.size()) continue;
     labels[row] += (labels[row].empty() ? "" : " · ") + column[row];
+  }
 }
 
-// "bleed reduction 0.3".
-std::string parameterText(const Parameter& parameter) {
+// "bleed reduction 0.3", as it was set, whatever a storage format makes of it.
+std::string parameterText(const Parameter& parameter, const ParameterValues& set) {
   std::string name(parameter.name);
   std::replace(name.begin(), name.end(), '-', ' ');
-  const std::string value = parameter.text();
-  return name + " " + (value.empty() ? "none" : value);
+  const auto found = set.find(std::string(parameter.name));
+  const ParameterValue& value = found == set.end() ? parameter.defaultValue : found->second;
+  const auto* real = std::get_if<double>(&value);
+  const std::string text = real ? shortNumber(*real) : toText(value);
+  return name + " " + (text.empty() ? "none" : text);
 }
 
 void addParameters(std::vector<std::string>& labels, const std::vector<Session>& panes,
                    const TechniqueCatalogue& catalogue) {
   std::vector<std::vector<std::string>> texts;  // of every pane, its parameters
   for (const Session& pane : panes) {
-    const std::unique_ptr<Technique> technique = techniqueOf(pane, catalogue, pane.technique);
+    const std::unique_ptr<Technique> technique = catalogue.make(pane.technique);
+    const ParameterValues set = parametersOf(pane, pane.technique);
     std::vector<std::string>& own = texts.emplace_back();
     for (const Parameter& parameter : technique->parameters())
-      own.push_back(parameterText(parameter));
+      own.push_back(parameterText(parameter, set));
   }
   std::vector<bool> done(panes.size(), false);
   for (std::size_t first = 0; first < panes.size(); ++first) {

@@ -8,9 +8,8 @@
 
 namespace umbra {
 
-// For each pane of comparisonOf() that is shown: "radius 12 · half", the settings in which it
-// differs from another one, parameters from another one of its technique; empty where there are
-// none.
+// For each pane of comparisonOf() that is shown: "radius 12 · half", the settings in which it is
+// not as most of them are, parameters as most of its technique; empty where there are none.
 std::vector<std::string> paneLabels(const Session& session, const TechniqueCatalogue& catalogue);
 
 }  // namespace umbra

@@ -21,14 +21,28 @@ TEST(PaneLabels, PanesThatShareEverythingAreToldByTheirTechniques) {
   EXPECT_EQ(paneLabels(grid({"vsm", "lvsm", "msm"}), allTechniques()), (Labels{"", "", ""}));
 }
 
-TEST(PaneLabels, SayWhatDiffersAndNothingElse) {
+TEST(PaneLabels, OfTwoPanesBothSayWhatDiffers) {
+  Session session = grid({"vsm", "msm"});
+  closePane(session, 1);
+  duplicatePane(session, 0);
+  session.frame.kernel.radius = 12;
+  EXPECT_EQ(paneLabels(session, allTechniques()), (Labels{"radius 3", "radius 12"}));
+}
+
+TEST(PaneLabels, WhatAFormatLimitsIsNoOtherParameter) {
+  Session session = grid({"msm", "vsm"});
+  duplicatePane(session, 0);
+  session.frame.map.format = StorageFormat::Half;
+  EXPECT_EQ(paneLabels(session, allTechniques()), (Labels{"", "half", ""}));
+}
+
+TEST(PaneLabels, SayWhereAPaneIsNotAsMostAre) {
   Session session = grid({"vsm", "msm"});
   duplicatePane(session, 0);
   EXPECT_EQ(paneLabels(session, allTechniques()), (Labels{"", "", ""}));
   session.frame.kernel.radius = 12;
   session.frame.map.format = StorageFormat::Half;
-  EXPECT_EQ(paneLabels(session, allTechniques()),
-            (Labels{"radius 3 · float", "radius 12 · half", "radius 3 · float"}));
+  EXPECT_EQ(paneLabels(session, allTechniques()), (Labels{"", "radius 12 · half", ""}));
   session.frame.kernel.shape = KernelShape::None;
   EXPECT_EQ(paneLabels(session, allTechniques())[1], "no prefilter · half");
 }
@@ -48,7 +62,7 @@ TEST(PaneLabels, WhatAReadDoesNotUseIsNoDifference) {
   session.frame.kernel.sigma = 2.0;
   EXPECT_EQ(paneLabels(session, allTechniques()), (Labels{"", "", ""}));
   session.frame.read.filter = ReadFilter::SummedArea;
-  EXPECT_EQ(paneLabels(session, allTechniques()), (Labels{"bilinear", "summed area", "bilinear"}));
+  EXPECT_EQ(paneLabels(session, allTechniques()), (Labels{"", "summed area", ""}));
   duplicatePane(session, 1);
   session.frame.read.satPrecision = SatPrecision::Plain;
   EXPECT_EQ(paneLabels(session, allTechniques()), (Labels{"bilinear", "summed area · centred sums",

@@ -147,10 +147,12 @@ void CentrePane::showReport() {
     return view_.setReport(report, tr("Predict first"), tr("then see what comes out here"), false);
   if (!report || !figures || said) return view_.setReport(report, {}, {}, false);
   const TechniqueResult& result = figures->result;
+  std::optional<ProbeReport> shown = report;
+  if (!figures->footprint.empty()) shown->footprint = figures->footprint;
   const QString kernel = QString::fromStdString(describe(figures->kernel));
   const bool wrong = std::string_view(verdictOf(result.error)) != verdictOf(0.0);
   view_.setReport(
-      report,
+      shown,
       tr("%1, %2 · lit %3")
           .arg(shortTitle(*result.technique), kernel, QString::number(result.visibility, 'f', 3)),
       tr("truth %1 · %2")

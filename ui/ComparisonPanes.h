@@ -94,10 +94,12 @@ class ComparisonPanes : public QWidget {
   DrawnPicture pictureToShow(std::size_t pane);
   DrawnPicture draw(std::size_t pane);
   PictureSubject subject(std::size_t pane) const;
+  bool needsMaps(std::size_t pane) const;  // to be probed
   // ComparisonPanesFigures.cpp
   void refreshFigures();
   void showErrors();
   std::optional<PaneFigures> figuresOf(std::size_t pane);
+  bool isSetAsActive(std::size_t pane) const;
 
   SessionController& controller_;
   SceneView& view_;

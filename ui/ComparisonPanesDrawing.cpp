@@ -31,8 +31,14 @@ ComparisonPanes::DrawnPicture ComparisonPanes::drawnAsIs(std::size_t pane) const
   const PictureSubject wanted = subject(pane);
   for (const DrawnPicture& drawn : recent_)
     if (drawn->subject == wanted && sameSettings(*drawn->technique, *shown_[pane].technique))
-      return drawn;
+      return drawn->evidence.maps.empty() && !drawn->picture.isNull() && needsMaps(pane) ? nullptr
+                                                                                         : drawn;
   return nullptr;
+}
+
+// Where the live view has the same map, that one is read.
+bool ComparisonPanes::needsMaps(std::size_t pane) const {
+  return !sameMap(shown_[pane].session.frame, controller_.session().frame) && !isSetAsActive(pane);
 }
 
 std::vector<std::size_t> ComparisonPanes::outOfDate() const {
@@ -116,7 +122,7 @@ ComparisonPanes::DrawnPicture ComparisonPanes::draw(std::size_t pane) {
   if (!drawn->problem.isEmpty()) return drawn;
   try {
     if (!renderer_) renderer_ = std::make_unique<TechniquePictures>();
-    TechniqueDrawing drawing = renderer_->draw(drawn->subject, *drawn->technique);
+    TechniqueDrawing drawing = renderer_->draw(drawn->subject, *drawn->technique, needsMaps(pane));
     drawn->picture = std::move(drawing.picture);
     drawn->evidence = std::move(drawing.evidence);
     drawn->picture.setDevicePixelRatio(view_.devicePixelRatioF());

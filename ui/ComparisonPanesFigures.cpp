@@ -23,35 +23,43 @@ void ComparisonPanes::refreshFigures() {
   emit figuresChanged();
 }
 
+// Beside the technique, of which the report has all.
+bool ComparisonPanes::isSetAsActive(std::size_t pane) const {
+  const auto& techniques = controller_.techniques();
+  return shown_[pane].session.frame == controller_.session().frame &&
+         std::any_of(techniques.begin(), techniques.end(), [&](const auto& technique) {
+           return sameSettings(*technique, *shown_[pane].technique);
+         });
+}
+
 // Where the active pane has the same settings, the report has them too; else the pane's picture
 // kept what it was drawn of.
 std::optional<PaneFigures> ComparisonPanes::figuresOf(std::size_t pane) {
   const auto& report = prober_.report();
   if (!report) return std::nullopt;
-  const Shown& shown = shown_[pane];
   const Session& session = controller_.session();
-  const auto& techniques = controller_.techniques();
-  const bool asActive = shown.session.frame == session.frame &&
-                        std::any_of(techniques.begin(), techniques.end(), [&](const auto& t) {
-                          return sameSettings(*t, *shown.technique);
-                        });
-  if (asActive) {
-    const TechniqueResult* result = resultOf(report->probe, shown.session.technique);
+  if (isSetAsActive(pane)) {
+    const TechniqueResult* result = resultOf(report->probe, shown_[pane].session.technique);
     if (!result) return std::nullopt;
     return PaneFigures{*result, report->probe.reference, session.frame.kernel, {}};
   }
   const DrawnPicture drawn = drawnAsIs(pane);
   if (!drawn || drawn->picture.isNull() || !report->point) return std::nullopt;
   const auto surface = view_.surfaceAt(report->pixel);
-  if (!surface ||
-      (surface->world - *report->point).norm() > samePlace * (1.0 + report->point->norm()))
+  const double near = samePlace * (1.0 + report->point->norm());
+  if (!surface || (surface->world - *report->point).norm() > near)
     return std::nullopt;  // something stands in front of the point
-  std::optional<FrameProbe> probe =
-      probeFrame(drawn->evidence, drawn->subject.frame, report->pixel, session.receiver,
+  const FrameEvidence& evidence = drawn->evidence;
+  const auto mapOf = [&](int cascade) -> const DepthMap& {
+    return evidence.maps.empty() ? view_.lastFrame()->depthMap(cascade)
+                                 : evidence.maps[std::size_t(cascade)];
+  };
+  const std::optional<FrameProbe> probe =
+      probeFrame(evidence, drawn->subject.frame, mapOf, report->pixel, session.receiver,
                  view_.surfacePlane(report->pixel, *surface));
   if (!probe || probe->probe.techniques.empty()) return std::nullopt;
   return PaneFigures{probe->probe.techniques.front(), probe->probe.reference,
-                     drawn->subject.frame.kernel, std::move(probe->footprint)};
+                     drawn->subject.frame.kernel, probe->footprint};
 }
 
 void ComparisonPanes::showErrors() {

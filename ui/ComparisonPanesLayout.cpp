@@ -67,6 +67,7 @@ void ComparisonPanes::labelHeaders() {
 
 void ComparisonPanes::placePanes() {
   view_.setMinimumSize(arranged_ == ComparisonMode::Grid ? viewInGrid : viewAlone);
+  view_.setFramed(arranged_ == ComparisonMode::Grid);
   wipe_->setVisible(arranged_ == ComparisonMode::Wipe);
   if (arranged_ == ComparisonMode::Grid) return placeGrid();
   const int columns = int(shown_.size());

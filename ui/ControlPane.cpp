@@ -85,15 +85,19 @@ QString ControlPane::scope() const {
   const std::size_t shown = shownPanes(comparison);
   if (!controller_.document().content.scene || shown < 2) return {};
   const Pane& active = comparison.panes[comparison.active];
+  const auto sharesFrame = [](const Pane& pane) {
+    PaneSettings own = pane.own;
+    own.parameters.reset();
+    return own == PaneSettings{};
+  };
   const auto end = comparison.panes.begin() + std::ptrdiff_t(shown);
-  const auto sharing =
-      std::count_if(comparison.panes.begin(), end, [](const Pane& pane) { return pane.linked(); });
-  if (active.linked() && sharing > 1)
+  const auto sharing = std::count_if(comparison.panes.begin(), end, sharesFrame);
+  if (sharesFrame(active) && sharing > 1)
     return tr("Filter and map are shared by %1 panes").arg(sharing);
   bool alone = true;
   for (int i = 0; i <= int(PaneSetting::Bias); ++i) alone = alone && hasOwn(active, PaneSetting(i));
-  return alone || active.linked() ? tr("Settings of the framed pane alone")
-                                  : tr("Some settings are of the framed pane alone");
+  return alone || sharesFrame(active) ? tr("Settings of the active pane alone")
+                                      : tr("Some settings are of the active pane alone");
 }
 
 void ControlPane::refresh() {

@@ -5,7 +5,14 @@
 
 namespace umbra {
 
+// The windows of several cascades follow the camera and the filter's reach.
+bool sameMap(const FrameSettings& a, const FrameSettings& b) {
+  return a.map.size == b.map.size && a.map.samples == b.map.samples && a.map.cascades.count == 1 &&
+         b.map.cascades.count == 1 && a.bias.cullFrontFaces == b.bias.cullFrontFaces;
+}
+
 std::optional<FrameProbe> probeFrame(const FrameEvidence& evidence, const FrameSettings& frame,
+                                     const std::function<const DepthMap&(int cascade)>& mapOf,
                                      const Pixel& pixel, const std::optional<double>& receiver,
                                      const std::optional<Plane>& plane) {
   const Image<float>& surfaces = evidence.surfaces;
@@ -23,9 +30,8 @@ std::optional<FrameProbe> probeFrame(const FrameEvidence& evidence, const FrameS
     cascade = int(read[3]);
     next = read[3] - double(cascade);
   }
-  const auto& maps = *evidence.maps;
   const double depth = receiver.value_or(std::abs(double(surface[2])));
-  ProbeRequest request{.map = maps[std::size_t(cascade)],
+  ProbeRequest request{.map = mapOf(cascade),
                        .read = {frame.read.filter, u, v, footprint},
                        .kernel = frame.kernel,
                        .format = frame.map.format,
@@ -36,10 +42,10 @@ std::optional<FrameProbe> probeFrame(const FrameEvidence& evidence, const FrameS
                        .satPrecision = frame.read.satPrecision};
   const Cascade& own = evidence.cascades[std::size_t(cascade)];
   if (next > 0.0) {
-    const auto after = std::size_t(cascade) + 1;
+    const int after = cascade + 1;
+    const Cascade& coarser = evidence.cascades[std::size_t(after)];
     request.seam.emplace(
-        SeamPart{maps[after],
-                 readInCascade(request.read, own, evidence.cascades[after], request.kernel), next});
+        SeamPart{mapOf(after), readInCascade(request.read, own, coarser, request.kernel), next});
   }
   FrameProbe probe{takeProbe(request), {}};
   probe.footprint = footprintOf(ownRegion(probe.probe), frame.map.size,

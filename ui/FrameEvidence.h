@@ -1,6 +1,7 @@
 // What is kept of a picture's frame, so that any of its pixels can be probed later.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -16,9 +17,12 @@ namespace umbra {
 struct FrameEvidence {
   Image<float> surfaces, footprints;  // as ShadowRenderer's
   std::vector<Cascade> cascades;
-  std::shared_ptr<const std::vector<DepthMap>> maps;  // of every cascade
-  std::shared_ptr<const Technique> technique;         // as the frame adapted it
+  std::vector<DepthMap> maps;  // of every cascade; none where they were not asked for
+  std::shared_ptr<const Technique> technique;  // as the frame adapted it
 };
+
+// Whether two frames of one scene and light have the same map, whatever their cameras.
+bool sameMap(const FrameSettings& a, const FrameSettings& b);
 
 // A pane's own probe.
 struct FrameProbe {
@@ -27,9 +31,10 @@ struct FrameProbe {
 };
 
 // Of the frame's technique alone, with the settings that the frame was drawn with; at the pixel's
-// surface, or at another `receiver` depth. `plane` is the surface around it. None where the pixel
-// shows no surface that the map covers.
+// surface, or at another `receiver` depth. `mapOf` gives a cascade's map; `plane` is the surface
+// around the pixel. None where the pixel shows no surface that the map covers.
 std::optional<FrameProbe> probeFrame(const FrameEvidence& evidence, const FrameSettings& frame,
+                                     const std::function<const DepthMap&(int cascade)>& mapOf,
                                      const Pixel& pixel, const std::optional<double>& receiver,
                                      const std::optional<Plane>& plane);
 

@@ -38,12 +38,14 @@ void MainWindow::makeCompareMenu(QMenu& view) {
     comparisons_->addAction(action);
   }
   menu->addSeparator();
-  duplicate_ = addAction(*menu, tr("&Duplicate the active pane"), QKeySequence("Ctrl+D"), [this] {
-    controller_.edit(tr("Duplicate the active pane"), [](Session& session) {
-      duplicatePane(session, comparisonOf(session).active);
-    });
-  });
-  duplicate_->setToolTip(tr("The same beside it, to be set otherwise: what one sets is its own"));
+  duplicate_ =
+      addAction(*menu, tr("&Duplicate, with settings of its own"), QKeySequence("Ctrl+D"), [this] {
+        controller_.edit(tr("Duplicate pane"), [](Session& session) {
+          duplicatePane(session, comparisonOf(session).active);
+        });
+      });
+  duplicate_->setToolTip(
+      tr("The same beside it, such as with another radius: the copy is set by itself"));
   QMenu* counts = menu->addMenu(tr("&Number of panes"));
   std::vector<std::string> known;
   for (const Technique* technique : controller_.catalogue().all())
@@ -72,7 +74,9 @@ void MainWindow::makeCompareMenu(QMenu& view) {
 
 void MainWindow::refreshCompareMenu() {
   const bool onScene = controller_.document().content.scene != nullptr;
-  duplicate_->setEnabled(onScene);
+  const Comparison comparison = comparisonOf(controller_.session());
+  duplicate_->setEnabled(onScene && (comparison.mode != ComparisonMode::Grid ||
+                                     comparison.panes.size() < Comparison::most));
   for (QAction* action : comparisons_->actions()) {
     action->setChecked(action->data().toInt() == int(controller_.session().comparison.mode));
     action->setEnabled(onScene);

@@ -237,6 +237,7 @@ void MainWindow::makeToolBar() {
   menuButton(tr("Light"), formMenu(new LightForm(controller_)));
   bar->addWidget(new QLabel(tr("View")));
   bar->addActions(modes_->actions());
+  menuButton(tr("Compare"), findChild<QMenu*>("compare"));
   auto* space = new QWidget;
   space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   bar->addWidget(space);

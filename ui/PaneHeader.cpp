@@ -19,8 +19,8 @@ namespace umbra {
 namespace {
 
 constexpr int chipSide = 9;  // logical pixels, as in the list of techniques
-// Logical pixels; below them technique and differences stand one above the other.
-constexpr int narrowest = 300;
+constexpr int boxRoom = 52;  // beside a technique's name: its chip, the arrow, the frame
+constexpr int margin = 6;
 
 QPixmap chip(const QColor& colour) {
   QPixmap pixmap(chipSide, chipSide);
@@ -45,7 +45,7 @@ PaneHeader::PaneHeader(const std::vector<const Technique*>& techniques, QMenu& m
       error_(new QLabel),
       menuButton_(new QToolButton),
       menu_(menu) {
-  layout_->setContentsMargins(6, 3, 6, 3);
+  layout_->setContentsMargins(margin, 3, margin, 3);
   layout_->setHorizontalSpacing(6);
   layout_->setVerticalSpacing(1);
   for (const Technique* technique : techniques) {
@@ -72,27 +72,36 @@ PaneHeader::PaneHeader(const std::vector<const Technique*>& techniques, QMenu& m
   menuButton_->setStyleSheet(
       "QToolButton { border: none; padding: 0 3px; }"
       "QToolButton::menu-indicator { image: none; width: 0; }");
-  place();
+  layout_->addWidget(box_, 0, 0);
+  layout_->addWidget(error_, 0, 2);
+  layout_->addWidget(menuButton_, 0, 3);
+  layout_->addWidget(differences_, 1, 0, 1, 4);
+  layout_->setColumnStretch(0, 1);
+  differences_->hide();
   connect(box_, QOverload<int>::of(&QComboBox::activated), this,
           [this] { emit techniqueChosen(technique()); });
 }
 
-// What differs stands beside the technique, beneath it where there is little room.
+// What differs stands beside the technique, beneath it where there is too little room.
 void PaneHeader::place() {
-  for (QWidget* part : {static_cast<QWidget*>(box_), static_cast<QWidget*>(differences_),
-                        static_cast<QWidget*>(error_), static_cast<QWidget*>(menuButton_)})
-    layout_->removeWidget(part);
-  layout_->addWidget(box_, 0, 0);
-  layout_->addWidget(error_, 0, 2);
-  layout_->addWidget(menuButton_, 0, 3);
-  if (twoRows_)
-    layout_->addWidget(differences_, 1, 0, 1, 4);
-  else
+  const QString text = differences_->text();
+  const QFontMetrics metrics = fontMetrics();
+  const int technique = metrics.horizontalAdvance(box_->currentText()) + boxRoom;
+  const int others = metrics.horizontalAdvance("+0.000") + menuButton_->sizeHint().width() +
+                     3 * layout_->horizontalSpacing() + 2 * margin;
+  const bool fits = technique + metrics.horizontalAdvance(text) + others <= width();
+  const Place wanted = text.isEmpty() ? Place::Nowhere : fits ? Place::Beside : Place::Beneath;
+  box_->setMinimumWidth(wanted == Place::Beside ? technique : 0);
+  if (wanted == place_) return;
+  place_ = wanted;
+  layout_->removeWidget(differences_);
+  if (wanted == Place::Beside)
     layout_->addWidget(differences_, 0, 1);
-  const bool beside = !twoRows_ && !differences_->text().isEmpty();
-  layout_->setColumnStretch(0, beside ? 0 : 1);
-  layout_->setColumnStretch(1, beside ? 1 : 0);
-  differences_->setVisible(!differences_->text().isEmpty());
+  else
+    layout_->addWidget(differences_, 1, 0, 1, 4);
+  layout_->setColumnStretch(0, wanted == Place::Beside ? 0 : 1);
+  layout_->setColumnStretch(1, wanted == Place::Beside ? 1 : 0);
+  differences_->setVisible(wanted != Place::Nowhere);
 }
 
 void PaneHeader::setTechnique(const QString& id) {
@@ -113,8 +122,14 @@ QString PaneHeader::differences() const {
 }
 
 void PaneHeader::setLinked(bool linked) {
-  setToolTip(linked ? tr("Shares its settings with the other panes that do")
-                    : tr("Has settings of its own"));
+  linked_ = linked;
+  explain();
+}
+
+void PaneHeader::explain() {
+  const QString settings = linked_ ? tr("Shares its settings with the other panes that do")
+                                   : tr("Has settings of its own");
+  setToolTip(active_ ? settings : tr("%1. Click to bring them to the controls").arg(settings));
 }
 
 void PaneHeader::setActive(bool active) {
@@ -123,6 +138,7 @@ void PaneHeader::setActive(bool active) {
   QFont font = box_->font();
   font.setBold(active);
   box_->setFont(font);
+  explain();
   update();
 }
 
@@ -138,9 +154,6 @@ QString PaneHeader::errorText() const {
 }
 
 void PaneHeader::resizeEvent(QResizeEvent*) {
-  const bool narrow = width() < narrowest;
-  if (narrow == twoRows_) return;
-  twoRows_ = narrow;
   place();
 }
 
@@ -155,6 +168,7 @@ void PaneHeader::contextMenuEvent(QContextMenuEvent* event) {
 void PaneHeader::paintEvent(QPaintEvent*) {
   if (!active_) return;
   QPainter painter(this);
+  painter.fillRect(rect(), style::tint(style::accent));
   painter.fillRect(QRect(0, height() - 2, width(), 2), style::accent);
 }
 

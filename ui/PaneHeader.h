@@ -52,6 +52,7 @@ class PaneHeader : public QWidget {
 
  private:
   void place();
+  void explain();
 
   QGridLayout* layout_;
   QComboBox* box_;
@@ -59,7 +60,9 @@ class PaneHeader : public QWidget {
   QLabel* error_;
   QToolButton* menuButton_;
   QMenu& menu_;
-  bool active_ = false, twoRows_ = false;
+  enum class Place { Nowhere, Beside, Beneath };
+  Place place_ = Place::Nowhere;  // of what differs, in relation to the technique
+  bool active_ = false, linked_ = true;
 };
 
 }  // namespace umbra

@@ -37,7 +37,7 @@ void PaneMenu::fill() {
       comparison.mode == ComparisonMode::Grid && comparison.panes.size() == Comparison::most;
   add(tr("&Duplicate this pane"),
       full ? tr("There is room for six panes")
-           : tr("The same beside it, to be set otherwise: what one sets there is its own"),
+           : tr("The same beside it, such as with another radius: the copy is set by itself"),
       !full, duplicatePane);
   add(tr("&Same settings as the active pane"), tr("What the controls show now"),
       pane_ != comparison.active, copyActiveSettings);

@@ -70,6 +70,7 @@ void SceneOverlay::paintEvent(QPaintEvent*) {
   drawKept(painter);
   drawFigures(painter);
   drawHint(painter);
+  drawFrame(painter);
 }
 
 void SceneOverlay::drawCurtain(QPainter& painter) const {
@@ -222,6 +223,13 @@ void SceneOverlay::drawHint(QPainter& painter) const {
   painter.drawRoundedRect(frame, size.height() / 2.0, size.height() / 2.0);
   painter.setPen(style::ink);
   painter.drawText(frame, Qt::AlignCenter, contents_.hint);
+}
+
+void SceneOverlay::drawFrame(QPainter& painter) const {
+  if (!contents_.framed) return;
+  painter.setPen(QPen(style::accent, 4.0));  // the outer half is cut off
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRect(rect());
 }
 
 }  // namespace umbra

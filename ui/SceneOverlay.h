@@ -35,6 +35,7 @@ class SceneOverlay : public QWidget {
     QString curtainText;
     double curtainAt = 1.0;
     bool curtainLeft = false;
+    bool framed = false;  // the active one of several panes
   };
   void setContents(Contents contents);
   const LightHandle& handle() const { return handle_; }
@@ -54,6 +55,7 @@ class SceneOverlay : public QWidget {
   void drawFigures(QPainter& painter) const;
   void drawKept(QPainter& painter) const;
   void drawHint(QPainter& painter) const;
+  void drawFrame(QPainter& painter) const;
 
   Contents contents_;
   LightHandle handle_;

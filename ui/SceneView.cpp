@@ -153,6 +153,11 @@ void SceneView::setSelection(const QPolygonF& pixels) {
   refreshOverlay();
 }
 
+void SceneView::setFramed(bool framed) {
+  contents_.framed = framed;
+  refreshOverlay();
+}
+
 QSize SceneView::pixels() const {
   const double ratio = devicePixelRatioF();
   return {int(std::lround(width() * ratio)), int(std::lround(height() * ratio))};

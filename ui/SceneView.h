@@ -37,6 +37,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void setCurtain(const QImage& picture, double at, const QString& instead, bool left);
   // Outlines a part of the picture; empty for none.
   void setSelection(const QPolygonF& pixels);
+  void setFramed(bool framed);  // as the active one of several panes
   const SceneOverlay::Contents& overlayContents() const { return contents_; }
 
   QSize pixels() const;  // of the picture

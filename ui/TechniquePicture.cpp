@@ -27,6 +27,7 @@ void TechniquePicture::setContents(SceneOverlay::Contents contents) {
   contents.hint.clear();
   contents.curtain = {};
   contents.curtainText.clear();
+  contents.framed = false;
   overlay_->setVisible(message_.isEmpty());
   overlay_->setContents(std::move(contents));
 }

@@ -86,8 +86,8 @@ void TechniquePictures::makeCurrent() {
   context_->makeCurrent(surface_.get());
 }
 
-TechniqueDrawing TechniquePictures::draw(const PictureSubject& subject,
-                                         const Technique& technique) {
+TechniqueDrawing TechniquePictures::draw(const PictureSubject& subject, const Technique& technique,
+                                         bool withMaps) {
   const CurrentContext before;
   makeCurrent();
   const bool newScene = subject.scene != drawn_.scene;
@@ -102,33 +102,17 @@ TechniqueDrawing TechniquePictures::draw(const PictureSubject& subject,
   const Image<std::uint8_t> colour = renderer_->colour();
   const QImage picture(colour.values().data(), colour.width(), colour.height(), colour.width() * 3,
                        QImage::Format_RGB888);
-  readMaps(subject);
-  return {picture.copy(), evidence(technique)};
+  return {picture.copy(), evidence(technique, withMaps)};
 }
 
-// Pictures that differ in what comes after the map have the same ones.
-void TechniquePictures::readMaps(const PictureSubject& subject) {
-  const bool same = maps_ && subject.scene == mapsOf_.scene && subject.light == mapsOf_.light &&
-                    subject.frame.map.size == mapsOf_.frame.map.size &&
-                    subject.frame.map.samples == mapsOf_.frame.map.samples &&
-                    subject.frame.bias.cullFrontFaces == mapsOf_.frame.bias.cullFrontFaces;
-  const auto single = [](const PictureSubject& s) { return s.frame.map.cascades.count == 1; };
-  if (same && single(subject) && single(mapsOf_)) return;
-  auto maps = std::make_shared<std::vector<DepthMap>>();
-  for (int i = 0; i < int(renderer_->cascades().size()); ++i)
-    maps->push_back(renderer_->depthMap(i));
-  maps_ = std::move(maps);
-  mapsOf_ = subject;
-}
-
-FrameEvidence TechniquePictures::evidence(const Technique& technique) {
-  FrameEvidence evidence{renderer_->surfaces(), renderer_->footprints(), renderer_->cascades(),
-                         maps_, nullptr};
+FrameEvidence TechniquePictures::evidence(const Technique& technique, bool withMaps) {
+  FrameEvidence evidence{
+      renderer_->surfaces(), renderer_->footprints(), renderer_->cascades(), {}, nullptr};
+  for (int i = 0; withMaps && i < int(evidence.cascades.size()); ++i)
+    evidence.maps.push_back(renderer_->depthMap(i));
   std::shared_ptr<Technique> adapted = technique.clone();
   if (const std::vector<double> splits = renderer_->adaptedSplits(); !splits.empty())
     adapted->setAdaptedSplits(splits);
-  else
-    adapted->adapt(maps_->front());
   evidence.technique = std::move(adapted);
   return evidence;
 }

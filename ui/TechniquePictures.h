@@ -47,20 +47,19 @@ class TechniquePictures {
   TechniquePictures(const TechniquePictures&) = delete;
   TechniquePictures& operator=(const TechniquePictures&) = delete;
 
-  // Splits that follow the map are at rest. Throws as ShadowRenderer::render does.
-  TechniqueDrawing draw(const PictureSubject& subject, const Technique& technique);
+  // Splits that follow the map are at rest. The evidence has maps where they are asked for. Throws
+  // as ShadowRenderer::render does.
+  TechniqueDrawing draw(const PictureSubject& subject, const Technique& technique, bool withMaps);
 
  private:
   void makeCurrent();
-  void readMaps(const PictureSubject& subject);
-  FrameEvidence evidence(const Technique& technique);
+  FrameEvidence evidence(const Technique& technique, bool withMaps);
 
   std::unique_ptr<QOffscreenSurface> surface_;
   std::unique_ptr<QOpenGLContext> context_;
   vtkNew<vtkGenericOpenGLRenderWindow> window_;
   std::unique_ptr<ShadowRenderer> renderer_;
-  PictureSubject drawn_, mapsOf_;
-  std::shared_ptr<const std::vector<DepthMap>> maps_;
+  PictureSubject drawn_;
 };
 
 }  // namespace umbra

@@ -40,6 +40,24 @@ TEST(ComparedPicture, AWipeIsOnePictureOfTwo) {
   EXPECT_NE(vsm.copy(right), hard.copy(right));
 }
 
+TEST(ComparedPicture, ASideIsDrawnWithItsOwnSettings) {
+  const char* const alone = R"({"mode": "single"})";
+  const QImage narrow = drawn(alone);
+  const QImage wide = drawn(alone, {"--radius", "9", "--map-size", "128"});
+  const QRect left(0, 0, width / 2, height), right(width / 2, 0, width / 2, height);
+  ASSERT_EQ(narrow.size(), QSize(width, height));
+  EXPECT_NE(narrow.copy(right), wide.copy(right));
+  // Whichever of them is the active one.
+  for (const char* active : {"", R"(, "active": true)"}) {
+    const QImage both = drawn(R"({"mode": "wipe", "panes": [{"technique": "vsm"},
+        {"technique": "vsm", "kernel": {"radius": 9}, "mapSize": 128)" +
+                              std::string(active) + "}]}");
+    ASSERT_EQ(both.size(), narrow.size());
+    EXPECT_EQ(both.copy(left), narrow.copy(left)) << active;
+    EXPECT_EQ(both.copy(right), wide.copy(right)) << active;
+  }
+}
+
 TEST(ComparedPicture, PanesAreDrawnBesideEachOther) {
   const QImage sheet = drawn(R"({"mode": "grid", "techniques": ["vsm", "hard", "msm"]})");
   EXPECT_GE(sheet.width(), 3 * width);

@@ -176,7 +176,7 @@ void WindowTest::panesWithSettingsAreSavedAndOpened() {
   QVERIFY(panes.shown() == shown);
   QCOMPARE(panes.active(), std::size_t(1));
   QCOMPARE(shownRadius(window), 12);
-  QCOMPARE(panes.header(0).differences(), QString("radius 3"));
+  QCOMPARE(panes.header(1).differences(), QString("radius 12"));
 }
 
 }  // namespace umbra
