@@ -1,7 +1,9 @@
 #include "ui/ComparisonPanes.h"
 
 #include <QGridLayout>
+#include <QToolButton>
 
+#include "datasets/PaneEditing.h"
 #include "ui/PaneHeader.h"
 #include "ui/PaneMenu.h"
 #include "ui/Prober.h"
@@ -9,6 +11,7 @@
 #include "ui/SessionController.h"
 #include "ui/TechniquePicture.h"
 #include "ui/WipeHandle.h"
+#include "ui/widgets/Style.h"
 
 namespace umbra {
 
@@ -20,6 +23,7 @@ ComparisonPanes::ComparisonPanes(SessionController& controller, SceneView& view,
       prober_(prober),
       grid_(new QGridLayout(this)),
       wipe_(nullptr),
+      more_(new QToolButton(this)),
       figures_(Comparison::most),
       latest_(Comparison::most) {
   setObjectName("comparison");
@@ -28,6 +32,16 @@ ComparisonPanes::ComparisonPanes(SessionController& controller, SceneView& view,
   view_.setParent(this);
   wipe_ = new WipeHandle(&view_);
   makePanes();
+  more_->setText(tr("+ Duplicate the active pane"));
+  more_->setToolTip(tr("To be set otherwise: the copy has settings of its own"));
+  more_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  more_->setStyleSheet(QString("QToolButton { border: none; color: %1; background: %2; }"
+                               "QToolButton:hover { color: %3; }")
+                           .arg(style::muted.name(), style::ground.name(), style::ink.name()));
+  connect(more_, &QToolButton::clicked, this, [this] {
+    controller_.edit(tr("Duplicate pane"),
+                     [this](Session& session) { duplicatePane(session, active_); });
+  });
   timer_.setSingleShot(true);
   connect(&timer_, &QTimer::timeout, this, &ComparisonPanes::drawNext);
   connect(wipe_, &WipeHandle::moved, this, [this](double at) {

@@ -12,6 +12,7 @@
 #include "ui/TechniquePictures.h"
 
 class QGridLayout;
+class QToolButton;
 
 namespace umbra {
 
@@ -106,6 +107,7 @@ class ComparisonPanes : public QWidget {
   Prober& prober_;
   QGridLayout* grid_;
   WipeHandle* wipe_;
+  QToolButton* more_;                 // another pane, where the grid has a place left
   std::vector<PaneHeader*> headers_;  // as many as there can be panes
   std::vector<PaneMenu*> menus_;
   std::vector<TechniquePicture*> pictures_;

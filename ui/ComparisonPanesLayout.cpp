@@ -1,5 +1,6 @@
 // Which panes there are, and where they stand.
 #include <QGridLayout>
+#include <QToolButton>
 
 #include "datasets/PaneLabels.h"
 #include "filters/core/Composition.h"
@@ -96,6 +97,8 @@ void ComparisonPanes::placeGrid() {
     headers_[pane]->show();
     body->show();
   }
+  more_->setVisible(count % columns != 0);
+  if (count % columns != 0) grid_->addWidget(more_, count / columns * 2, count % columns, 2, 1);
 }
 
 // The view stays in sight all the while: its OpenGL context goes on.
@@ -106,6 +109,7 @@ void ComparisonPanes::takeApart() {
   grid_->setHorizontalSpacing(0);
   for (PaneHeader* header : headers_) header->hide();
   for (TechniquePicture* picture : pictures_) picture->hide();
+  more_->hide();
 }
 
 }  // namespace umbra

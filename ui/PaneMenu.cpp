@@ -57,7 +57,7 @@ void PaneMenu::fill() {
 
 void PaneMenu::fillOwn(const Pane& pane) {
   own_->clear();
-  own_->setTitle(tr("&Of its own"));
+  own_->setTitle(tr("Settings &of its own"));
   for (const Own& own : ownSettings) {
     QAction* action = own_->addAction(tr(own.text));
     action->setCheckable(true);

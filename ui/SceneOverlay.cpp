@@ -214,15 +214,19 @@ void SceneOverlay::drawFigures(QPainter& painter) const {
 
 void SceneOverlay::drawHint(QPainter& painter) const {
   if (contents_.hint.isEmpty()) return;
-  const QFontMetricsF metrics(font());
-  const QSizeF size(metrics.horizontalAdvance(contents_.hint) + 28.0, metrics.height() + 12.0);
+  // On more lines where the picture is narrow.
+  const double room = std::max(60.0, width() - 44.0);
+  const QRectF text = QFontMetricsF(font()).boundingRect(
+      QRectF(0.0, 0.0, room, height()), Qt::AlignCenter | Qt::TextWordWrap, contents_.hint);
+  const QSizeF size(text.width() + 28.0, text.height() + 12.0);
   const QRectF frame(QPointF((width() - size.width()) / 2.0, height() - size.height() - 12.0),
                      size);
   painter.setPen(Qt::NoPen);
   painter.setBrush(QColor(0xff, 0xff, 0xff, 0xe6));
-  painter.drawRoundedRect(frame, size.height() / 2.0, size.height() / 2.0);
+  painter.drawRoundedRect(frame, 13.0, 13.0);
   painter.setPen(style::ink);
-  painter.drawText(frame, Qt::AlignCenter, contents_.hint);
+  painter.drawText(frame.adjusted(13.0, 0.0, -13.0, 0.0), Qt::AlignCenter | Qt::TextWordWrap,
+                   contents_.hint);
 }
 
 void SceneOverlay::drawFrame(QPainter& painter) const {
