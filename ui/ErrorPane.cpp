@@ -70,7 +70,7 @@ ErrorPane::ErrorPane(ErrorController& errors, Prober& prober, QWidget* parent)
   readout_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   // Wraps in the table's width, and asks for no height of its own: nothing moves under the pointer.
   readout_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
-  readout_->setMinimumHeight(2 * fontMetrics().height());
+  readout_->setMinimumHeight(fontMetrics().height());
   grid_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
 
   connect(worst_, &QToolButton::clicked, &errors_, &ErrorController::goToWorst);

@@ -10,6 +10,7 @@
 
 #include "analysis/BleedReduction.h"
 #include "analysis/ReceiverPixels.h"
+#include "datasets/DepthFile.h"
 #include "tests/widgets/Mouse.h"
 #include "tests/window/WindowTest.h"
 #include "ui/ErrorController.h"
@@ -272,6 +273,13 @@ void WindowTest::withoutAPictureTheErrorSaysWhy() {
   QVERIFY(pane.table().asText().isEmpty());
   window.prober().setVeil({});
   QTRY_VERIFY(!pane.canvas().picture().isNull());
+  const QString file = folder_.filePath("no-picture.exr");
+  writeExr(file.toStdString(), {{"Z", Image<float>(16, 16, 1, 0.5F)}}, {});
+  window.openFile(file.toStdString());
+  QTRY_VERIFY(window.controller().document().content.depth != nullptr);
+  QVERIFY(pane.canvas().picture().isNull());
+  QVERIFY(pane.canvas().shownText().contains("depth map"));
+  QCOMPARE(cell(pane, 0, 1), QString());
 }
 
 }  // namespace umbra

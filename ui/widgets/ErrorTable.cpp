@@ -116,7 +116,8 @@ ErrorTable::ErrorTable(QWidget* parent) : QTableWidget(pixelRow + 1, ColumnCount
   setShowGrid(false);
   setFrameShape(QFrame::NoFrame);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   auto* copyAction = new QAction(tr("Copy table"), this);
   addAction(copyAction);
   setContextMenuPolicy(Qt::ActionsContextMenu);
@@ -133,6 +134,10 @@ QSize ErrorTable::sizeHint() const {
   const int figure = metrics.horizontalAdvance("+0.000") + 10;
   return {fontMetrics().horizontalAdvance(tr("Over-darkening")) + 10 + 2 * figure,
           horizontalHeader()->sizeHint().height() + rowCount() * rowHeight(0) + 2};
+}
+
+QSize ErrorTable::minimumSizeHint() const {
+  return {sizeHint().width(), horizontalHeader()->sizeHint().height() + 2 * rowHeight(0)};
 }
 
 void ErrorTable::setFigure(int row, int column, const QString& text, const QString& toolTip) {

@@ -30,7 +30,7 @@ class ErrorTable : public QTableWidget {
   // Tab separated with a header line, numbers in full precision; "" without sums.
   QString asText() const;
   QSize sizeHint() const override;
-  QSize minimumSizeHint() const override { return sizeHint(); }
+  QSize minimumSizeHint() const override;  // a few rows: it scrolls where there is no room
 
  public slots:
   void copy() const;

@@ -33,7 +33,7 @@ class PictureCanvas : public QWidget {
   QPointF toPicture(const QPointF& widget) const;
 
   QSize sizeHint() const override { return {240, 160}; }
-  QSize minimumSizeHint() const override { return {100, 70}; }
+  QSize minimumSizeHint() const override { return {100, 50}; }
 
  signals:
   void pixelHovered(int x, int y);
