@@ -83,7 +83,8 @@ void ErrorController::setWatched(bool watched) {
 QString ErrorController::obstacle() const {
   if (!prober_.veil().isEmpty()) return prober_.veil();
   if (controller_.document().content.depth)
-    return tr("A depth map has no picture. Open a scene: the error of its picture is taken apart here.");
+    return tr(
+        "A depth map has no picture. Open a scene: the error of its picture is taken apart here.");
   return {};
 }
 
