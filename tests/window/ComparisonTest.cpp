@@ -116,14 +116,14 @@ void WindowTest::aClickedPaneIsTheSessions() {
   settlePanes();
   ComparisonPanes& panes = window.centre().comparison();
   QVERIFY(!panes.picture(0).isVisible());
-  const QRect place = panes.picture(1).geometry();
   QTest::mouseClick(&panes.picture(1), Qt::LeftButton);
   settlePanes();
   QCOMPARE(window.controller().session().technique, std::string("pcf"));
   QVERIFY(panes.shown() == techniques);
   QVERIFY(!panes.picture(1).isVisible());
   QVERIFY(panes.picture(0).isVisible());
-  QCOMPARE(window.view().geometry(), place);
+  QCOMPARE(window.view().x(), panes.header(1).x());
+  QCOMPARE(window.view().width(), panes.header(1).width());
   // A technique that no pane has takes the live pane's place; undo brings both back.
   key(Qt::Key_8);
   settlePanes();
