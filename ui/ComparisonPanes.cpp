@@ -93,6 +93,15 @@ std::vector<std::string> ComparisonPanes::shown() const {
   return techniques;
 }
 
+// The place that is left is no part of it.
+QPixmap ComparisonPanes::snapshot() {
+  const QString text = more_->text();
+  more_->setText({});
+  const QPixmap panes = grab();
+  more_->setText(text);
+  return panes;
+}
+
 void ComparisonPanes::refresh() {
   arrange();
   refreshFigures();

@@ -53,6 +53,7 @@ class ComparisonPanes : public QWidget {
   WipeHandle& wipe() { return *wipe_; }
   // None without a probe, while the probe is hidden from the pane, and until its picture is drawn.
   const std::optional<PaneFigures>& figures(std::size_t pane) const { return figures_[pane]; }
+  QPixmap snapshot();  // the panes with their labels
   // Every picture shows what the live view shows.
   bool upToDate() const;
 
@@ -99,7 +100,13 @@ class ComparisonPanes : public QWidget {
   // ComparisonPanesFigures.cpp
   void refreshFigures();
   void showErrors();
-  std::optional<PaneFigures> figuresOf(std::size_t pane);
+  // Of the probed point in the last frame; looked for once for all panes.
+  struct ProbedSurface {
+    bool inSight = false;
+    std::optional<Plane> plane;
+  };
+  ProbedSurface probedSurface();
+  std::optional<PaneFigures> figuresOf(std::size_t pane, std::optional<ProbedSurface>& surface);
   bool isSetAsActive(std::size_t pane) const;
 
   SessionController& controller_;

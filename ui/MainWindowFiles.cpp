@@ -72,7 +72,7 @@ void MainWindow::savePicture(const fs::path& file) {
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
-  if (!centre_->comparison().grab().save(&buffer, "PNG"))
+  if (!centre_->comparison().snapshot().save(&buffer, "PNG"))
     throw Error(ErrorKind::BadOutput, file.string() + ": the picture cannot be encoded as PNG");
   writeTextAtomically(file, std::string_view(bytes.constData(), std::size_t(bytes.size())));
 }
