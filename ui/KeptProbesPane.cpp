@@ -141,7 +141,8 @@ void KeptProbesPane::editName(int row) {
 }
 
 QString KeptProbesPane::asText(char separator) const {
-  return prober_.veil().isEmpty() ? probes_.text(separator) : QString();
+  const bool shown = prober_.veil().isEmpty() && !probes_.rows().empty();
+  return shown ? probes_.text(separator) : QString();
 }
 
 QString KeptProbesPane::hint() const {

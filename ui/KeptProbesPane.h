@@ -23,7 +23,7 @@ class KeptProbesPane : public Card {
 
   QTableView& view() { return *view_; }
   QToolButton& keepButton() { return *keep_; }
-  // None while a veil hides the figures.
+  // None without probes, and while a veil hides the figures.
   QString asText(char separator) const;
   void editName(int row);
 

@@ -120,6 +120,8 @@ void MainWindow::askToSaveTable() {
 }
 
 void MainWindow::askToSaveKeptProbes() {
+  if (keptPane_->asText(',').isEmpty())
+    return showError(tr("There is no table of kept probes to export: keep a probe first (K)."));
   const auto file =
       askWhere(tr("Export kept probes"), "probes.csv", tr("Comma-separated values (*.csv)"));
   if (!file) return;
