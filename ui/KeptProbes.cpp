@@ -118,7 +118,9 @@ int KeptProbes::current() const {
 }
 
 bool KeptProbes::canKeep() const {
-  return prober_.behindVeil().has_value() && current() < 0;
+  if (!prober_.behindVeil()) return false;
+  const int at = current();
+  return at < 0 || rows_[std::size_t(at)].probe.receiver != controller_.session().receiver;
 }
 
 // By what it lies on, where that has a name.

@@ -39,7 +39,8 @@ class KeptProbes : public QObject {
   // All are read with the present settings.
   bool upToDate() const { return next_ >= rows_.size() && !rest_.isActive(); }
 
-  // Whether there is a pinned or hovered place to keep, which is none of the kept ones.
+  // Whether there is a pinned or hovered place to keep, which is none of the kept ones, or one of
+  // them with another receiver.
   bool canKeep() const;
   // All are a step for undo.
   void keep();  // the present probe; pins it

@@ -227,6 +227,9 @@ void WindowTest::keptTexelsAreOfTheirFile() {
   emit window.centre().depthView().texelClicked(5, 20);
   window.controller().edit("receiver", [](Session& session) { session.receiver = 0.4; });
   window.keptProbes().keep();
+  QVERIFY(!window.keptProbes().canKeep());
+  window.controller().edit("receiver", [](Session& session) { session.receiver = 0.6; });
+  QVERIFY(window.keptProbes().canKeep());  // the same texel, another depth
   emit window.centre().depthView().texelClicked(30, 11);
   settleKept();
   const NamedProbe kept = window.controller().session().probes.at(0);
