@@ -70,9 +70,9 @@ ExplainPane::ExplainPane(SessionController& controller, Prober& prober, QWidget*
 
 ExplainPane::~ExplainPane() = default;
 
-void ExplainPane::showEvent(QShowEvent* event) {
-  QWidget::showEvent(event);
-  prober_.refresh();
+void ExplainPane::setWatched(bool watched) {
+  watched_ = watched;
+  if (watched) prober_.refresh();
 }
 
 const ExplainingPlot& ExplainPane::chosen() const {
@@ -92,7 +92,7 @@ void ExplainPane::refresh() {
   thread_.request_stop();
   still_.stop();
   const auto& report = prober_.report();
-  if (!isVisible()) return;
+  if (!watched_) return;
   if (!report || !report->request) {
     show(std::nullopt);
   } else if (!chosen().slow) {

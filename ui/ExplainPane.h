@@ -17,7 +17,7 @@ class PlotPane;
 class Prober;
 class SessionController;
 
-// Shows the chosen plot while it is visible and computes none otherwise. One that takes long is
+// Shows the chosen plot while it is watched and computes none otherwise. One that takes long is
 // computed beside the interface's thread, from copies of the maps, once the probe stands still.
 class ExplainPane : public QWidget {
   Q_OBJECT
@@ -28,9 +28,7 @@ class ExplainPane : public QWidget {
   ~ExplainPane() override;
 
   PlotPane& plot() { return *plot_; }
-
- protected:
-  void showEvent(QShowEvent* event) override;
+  void setWatched(bool watched);
 
  private:
   void refresh();
@@ -44,6 +42,7 @@ class ExplainPane : public QWidget {
   Prober& prober_;
   QComboBox* chooser_;
   PlotPane* plot_;
+  bool watched_ = false;
   QTimer still_;             // the probe has not moved since
   bool stoodStill_ = false;  // the next report may be computed beside
   int asked_ = 0;            // number of the computation that is wanted

@@ -81,16 +81,6 @@ QPushButton* LayersPane::addButton(const QString& text, const char* name, const 
   return button;
 }
 
-void LayersPane::showEvent(QShowEvent* event) {
-  QWidget::showEvent(event);
-  layers_.setWatched(true);
-}
-
-void LayersPane::hideEvent(QHideEvent* event) {
-  QWidget::hideEvent(event);
-  layers_.setWatched(false);
-}
-
 void LayersPane::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   const bool beside = event->size().width() >= besideWidth;

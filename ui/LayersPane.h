@@ -27,8 +27,6 @@ class LayersPane : public QWidget {
   void message(const QString& text);  // one line for the status bar
 
  protected:
-  void showEvent(QShowEvent* event) override;
-  void hideEvent(QHideEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:

@@ -89,6 +89,7 @@ class MainWindow : public QMainWindow {
   void restoreOwnLayout();  // as it was before the lesson
   // MainWindowDocks.cpp
   void makeDocks();
+  void makeWatchedDocks();
   QDockWidget* addDock(const QString& title, const QString& name, QWidget* content,
                        Qt::DockWidgetArea area);
   // MainWindowMenus.cpp

@@ -38,16 +38,6 @@ QWidget* makeMapPane(ShadowMapView& map, RegionTable& region) {
   return pane;
 }
 
-QWidget* makeLayersPane(MainWindow& window) {
-  auto* layers = new LayersController(window.controller(), window.view());
-  auto* pane = new LayersPane(*layers, window.controller());
-  layers->setParent(pane);
-  QObject::connect(layers, &LayersController::failed, &window, &MainWindow::showError);
-  QObject::connect(pane, &LayersPane::message, &window,
-                   [&window](const QString& text) { window.statusBar()->showMessage(text, 6000); });
-  return pane;
-}
-
 }  // namespace
 
 void MainWindow::makeDocks() {
@@ -70,18 +60,32 @@ void MainWindow::makeDocks() {
   tabifyDockWidget(docks_[1], docks_.back());
   addDock(tr("Probes"), "probesDock", keptPane_, Qt::BottomDockWidgetArea);
   tabifyDockWidget(docks_[1], docks_.back());
-  addDock(tr("Layers"), "layersDock", makeLayersPane(*this), Qt::RightDockWidgetArea);
+  makeWatchedDocks();
+}
+
+// What costs work while it is watched. A dock behind another's tab is shown, to itself: only
+// visibilityChanged tells.
+void MainWindow::makeWatchedDocks() {
+  auto* layers = new LayersController(controller_, *view_, this);
+  auto* layersPane = new LayersPane(*layers, controller_);
+  connect(layers, &LayersController::failed, this, &MainWindow::showError);
+  connect(layersPane, &LayersPane::message, this,
+          [this](const QString& text) { statusBar()->showMessage(text, 6000); });
+  connect(addDock(tr("Layers"), "layersDock", layersPane, Qt::RightDockWidgetArea),
+          &QDockWidget::visibilityChanged, layers, &LayersController::setWatched);
   tabifyDockWidget(docks_[3], docks_.back());
+
   auto* explain = new ExplainPane(controller_, *prober_);
   evidence_->follow(explain->plot());
-  addDock(tr("More plots"), "explainDock", explain, Qt::RightDockWidgetArea);
+  connect(addDock(tr("More plots"), "explainDock", explain, Qt::RightDockWidgetArea),
+          &QDockWidget::visibilityChanged, explain, &ExplainPane::setWatched);
   tabifyDockWidget(docks_[3], docks_.back());
+
   auto* errors = new ErrorController(controller_, *view_, *prober_, this);
   connect(errors, &ErrorController::failed, this, &MainWindow::showError);
-  const QDockWidget* error =
-      addDock(tr("Error"), "errorDock", new ErrorPane(*errors, *prober_), Qt::RightDockWidgetArea);
-  // A dock behind another's tab is shown, to itself: only this tells.
-  connect(error, &QDockWidget::visibilityChanged, errors, &ErrorController::setWatched);
+  connect(
+      addDock(tr("Error"), "errorDock", new ErrorPane(*errors, *prober_), Qt::RightDockWidgetArea),
+      &QDockWidget::visibilityChanged, errors, &ErrorController::setWatched);
   tabifyDockWidget(docks_[3], docks_.back());
 }
 
