@@ -21,8 +21,16 @@ struct DrawnFrame {
   std::vector<const DepthMap*> maps;  // of each cascade; they must outlive what refers to them
 };
 
-// A read of the frame's maps in its format, without techniques. Refers to the maps.
-ProbeRequest requestOf(const DrawnFrame& frame, const SurfaceRead& surface);
+// What a pixel that shows a surface reads; both images as in DrawnFrame.
+SurfaceRead readAt(const Image<float>& surfaces, const Image<float>& footprints, ReadFilter filter,
+                   int x, int y);
+
+// A cascade's map; asked for only where it is read.
+using MapOf = std::function<const DepthMap&(int cascade)>;
+// A read in the format of a frame that was drawn with `settings`, without techniques. Refers to the
+// maps.
+ProbeRequest requestOf(const FrameSettings& settings, const std::vector<Cascade>& cascades,
+                       const MapOf& mapOf, const SurfaceRead& surface);
 // That of a pixel which shows a surface.
 ProbeRequest requestAt(const DrawnFrame& frame, int x, int y);
 

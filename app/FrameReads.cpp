@@ -2,26 +2,16 @@
 
 namespace umbra {
 
-namespace {
-
-DrawnFrame mapsOf(HeadlessFrame& frame, const FrameSettings& settings) {
-  DrawnFrame drawn{settings, {}, {}, frame.cascades(), {}};
-  for (int i = 0; i < int(drawn.cascades.size()); ++i) drawn.maps.push_back(&frame.depthMap(i));
-  return drawn;
-}
-
-}  // namespace
-
 DrawnFrame drawnFrame(HeadlessFrame& frame, const FrameSettings& settings) {
-  DrawnFrame drawn = mapsOf(frame, settings);
-  drawn.surfaces = frame.surfaces();
-  drawn.footprints = frame.footprints();
+  DrawnFrame drawn{settings, frame.surfaces(), frame.footprints(), frame.cascades(), {}};
+  for (int i = 0; i < int(drawn.cascades.size()); ++i) drawn.maps.push_back(&frame.depthMap(i));
   return drawn;
 }
 
 ProbeRequest requestAt(HeadlessFrame& frame, const FrameSettings& settings,
                        const SurfacePoint& surface) {
-  return requestOf(mapsOf(frame, settings),
+  const auto mapOf = [&](int cascade) -> const DepthMap& { return frame.depthMap(cascade); };
+  return requestOf(settings, frame.cascades(), mapOf,
                    {{settings.read.filter, surface.u, surface.v, surface.footprint},
                     surface.receiver,
                     surface.facesLight,

@@ -113,7 +113,10 @@ void EvidencePanes::refreshProbe() {
   region_->setProbe(probe);
   if (report->cascade != shownCascade_) refreshMap();
   map_->setRegion(ownRegion(probe));
-  // The first probe and every pinned one are brought into view; hovering leaves the zoom alone.
+  // The first probe and every pinned one are brought into view, and again with another kernel;
+  // hovering leaves the zoom alone.
+  if (!(probe.region.kernel == shownKernel_)) regionShown_ = false;
+  shownKernel_ = probe.region.kernel;
   if (!regionShown_ && (report->pinned || controller_.document().content.depth)) {
     map_->showRegion();
     regionShown_ = true;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "filters/core/Image.h"
+#include "filters/core/Kernel.h"
 
 namespace umbra {
 
@@ -73,6 +74,7 @@ class EvidencePanes : public QObject {
   QString shownMap_;  // says which map and channel are shown, to read back only what changed
   int shownCascade_ = 0;
   bool regionShown_ = false;
+  Kernel shownKernel_;
 };
 
 }  // namespace umbra

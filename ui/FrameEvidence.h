@@ -1,12 +1,11 @@
 // What is kept of a picture's frame, so that any of its pixels can be probed later.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "analysis/Probe.h"
+#include "analysis/DrawnFrame.h"
 #include "datasets/Session.h"
 #include "filters/core/Cascades.h"
 #include "filters/core/Image.h"
@@ -34,8 +33,8 @@ struct FrameProbe {
 // surface, or at another `receiver` depth. `mapOf` gives a cascade's map; `plane` is the surface
 // around the pixel. None where the pixel shows no surface that the map covers.
 std::optional<FrameProbe> probeFrame(const FrameEvidence& evidence, const FrameSettings& frame,
-                                     const std::function<const DepthMap&(int cascade)>& mapOf,
-                                     const Pixel& pixel, const std::optional<double>& receiver,
+                                     const MapOf& mapOf, const Pixel& pixel,
+                                     const std::optional<double>& receiver,
                                      const std::optional<Plane>& plane);
 
 }  // namespace umbra

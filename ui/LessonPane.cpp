@@ -131,7 +131,11 @@ void LessonPane::refresh() {
                                        : tr("The next step (Alt+Right)"));
   question_->refresh();
   const QString now = QString("%1 %2").arg(style::text(progress->lesson.name)).arg(progress->step);
-  if (now != shown_) scroll_->verticalScrollBar()->setValue(0);
+  if (now != shown_) {
+    scroll_->verticalScrollBar()->setValue(0);
+    // What is typed is the prediction; elsewhere digits choose techniques.
+    if (progress->veiled()) question_->awaitPrediction();
+  }
   shown_ = now;
 }
 

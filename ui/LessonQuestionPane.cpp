@@ -176,6 +176,11 @@ void LessonQuestionPane::refreshAnswer() {
           : tr("Off by %1: more than %2.").arg(figure(off), figure(question.tolerance)));
 }
 
+void LessonQuestionPane::awaitPrediction() {
+  field_->setFocus();
+  field_->selectAll();
+}
+
 void LessonQuestionPane::predict() {
   if (!lessons_.progress() || !lessons_.progress()->veiled()) return;
   field_->interpretText();

@@ -28,6 +28,7 @@ class LessonQuestionPane : public QFrame {
 
   // After another step, or a prediction.
   void refresh();
+  void awaitPrediction();  // takes the keyboard
 
  signals:
   void answered();

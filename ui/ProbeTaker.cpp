@@ -1,5 +1,6 @@
 #include "ui/ProbeTaker.h"
 
+#include "analysis/DrawnFrame.h"
 #include "ui/SceneView.h"
 #include "ui/SessionController.h"
 
@@ -21,17 +22,13 @@ ProbeReport ProbeTaker::at(const SurfacePlace& place, const std::optional<double
   const SurfacePoint& surface = place.surface;
   const std::vector<Cascade>& cascades = frame.cascades();
   ProbeRequest request =
-      requestOn(frame.depthMap(surface.cascade),
-                {session.frame.read.filter, surface.u, surface.v, surface.footprint},
-                receiver.value_or(surface.receiver));
-  request.cascade = surface.cascade;
-  if (surface.nextCascade > 0.0) {
-    const int next = surface.cascade + 1;
-    request.seam.emplace(SeamPart{
-        frame.depthMap(next),
-        readInCascade(request.read, cascades[surface.cascade], cascades[next], request.kernel),
-        surface.nextCascade});
-  }
+      requestOf(session.frame, cascades,
+                [&](int cascade) -> const DepthMap& { return frame.depthMap(cascade); },
+                {{session.frame.read.filter, surface.u, surface.v, surface.footprint},
+                 receiver.value_or(surface.receiver),
+                 surface.facesLight,
+                 surface.cascade,
+                 surface.nextCascade});
   ProbeReport report = probe(std::move(request), frame.depthMap(0), view_.firstMapRevision());
   report.cascade = surface.cascade;
   report.pixel = place.pixel;
@@ -51,8 +48,10 @@ std::optional<ProbeReport> ProbeTaker::at(const Pixel& texel,
   const DepthMap& map = *controller_.document().content.depth;
   if (texel.x < 0 || texel.y < 0 || texel.x >= map.width() || texel.y >= map.height())
     return std::nullopt;
-  ProbeReport report = probe(
-      requestOn(map, ReadPoint::atTexel(map, texel.x, texel.y), receiver.value_or(0.5)), map, 0);
+  ProbeReport report =
+      probe(requestOf(controller_.session().frame, {}, [&](int) -> const DepthMap& { return map; },
+                      {ReadPoint::atTexel(map, texel.x, texel.y), receiver.value_or(0.5)}),
+            map, 0);
   report.pixel = texel;
   return report;
 }
@@ -85,17 +84,6 @@ void ProbeTaker::adaptTechniques(const DepthMap& map, int revision) {
   }
   adaptedTo_ = revision;
   splits_ = std::move(splits);
-}
-
-ProbeRequest ProbeTaker::requestOn(const DepthMap& map, const ReadPoint& read,
-                                   double receiver) const {
-  const FrameSettings& settings = controller_.session().frame;
-  return {.map = map,
-          .read = read,
-          .kernel = settings.kernel,
-          .format = settings.map.format,
-          .receiver = receiver,
-          .satPrecision = settings.read.satPrecision};
 }
 
 ProbeReport ProbeTaker::probe(ProbeRequest request, const DepthMap& first, int revision) {

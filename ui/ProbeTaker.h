@@ -30,7 +30,6 @@ class ProbeTaker {
 
  private:
   void adaptTechniques(const DepthMap& map, int revision);
-  ProbeRequest requestOn(const DepthMap& map, const ReadPoint& read, double receiver) const;
   // `first` is the map of the first cascade, to which techniques are adapted.
   ProbeReport probe(ProbeRequest request, const DepthMap& first, int revision);
 
