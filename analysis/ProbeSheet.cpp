@@ -28,11 +28,11 @@ const SheetFigures::Entry* SheetFigures::of(std::string_view technique) const {
   return nullptr;
 }
 
-SheetFigures figuresOf(const Probe& probe) {
-  SheetFigures figures{probe.receiver, probe.reference, {}};
+SheetFigures figuresOf(const Probe& probe, const std::optional<double>& truth) {
+  SheetFigures figures{probe.receiver, truth.value_or(probe.reference), {}};
   for (const TechniqueResult& result : probe.techniques)
-    figures.techniques.push_back(
-        {std::string(result.technique->info().id), result.visibility, result.error});
+    figures.techniques.push_back({std::string(result.technique->info().id), result.visibility,
+                                  result.visibility - figures.reference});
   return figures;
 }
 

@@ -22,7 +22,8 @@ struct SheetFigures {
   const Entry* of(std::string_view technique) const;  // null where there is none
 };
 
-SheetFigures figuresOf(const Probe& probe);
+// `reference` is the probe's, or another truth that errors are against.
+SheetFigures figuresOf(const Probe& probe, const std::optional<double>& truth = {});
 
 struct SheetRow {
   std::string name;

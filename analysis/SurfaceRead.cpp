@@ -188,8 +188,9 @@ bool isShownAt(const PictureView& picture, const Vector3d& point, const Vector3d
   return (shown - point).norm() <= 0.01 * pixelSide(picture, point);
 }
 
-std::variant<SurfaceRead, Unreadable> readOfSurface(const Vector3d& point, const Vector3d& normal,
+std::variant<SurfaceRead, Unreadable> readOfSurface(const SurfaceSpot& spot,
                                                     const FrameView& frame) {
+  const auto& [point, normal, object, twoSided] = spot;
   const FrameSettings& settings = frame.settings;
   const LightPoint light = frame.light.project(point);
   const auto place = light.inside ? cascadeOf(point, light, frame) : std::nullopt;
@@ -226,7 +227,9 @@ std::variant<SurfaceRead, Unreadable> readOfSurface(const Vector3d& point, const
   const Vector3d toLight = frame.light.kind == LightKind::Spot
                                ? Vector3d(frame.light.position - point)
                                : Vector3d(-frame.light.direction);
-  result.facesLight = normal.dot(toLight) > 0.0;
+  const double side =
+      twoSided && normal.dot(frame.picture.camera.position - point) < 0.0 ? -1.0 : 1.0;
+  result.facesLight = side * normal.dot(toLight) > 0.0;
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "analysis/SurfaceSpot.h"
 #include "filters/core/Camera.h"
 #include "filters/core/Cascades.h"
 #include "filters/core/FrameSettings.h"
@@ -46,8 +47,8 @@ enum class Unreadable {
   NotInSight,  // the read is as wide as the pixel, and the camera has none for the point
 };
 
-std::variant<SurfaceRead, Unreadable> readOfSurface(const Eigen::Vector3d& point,
-                                                    const Eigen::Vector3d& normal,
+// As the shading pass reads it. A sheet is lit on the side that the camera sees.
+std::variant<SurfaceRead, Unreadable> readOfSurface(const SurfaceSpot& spot,
                                                     const FrameView& frame);
 
 // Whether the surface that a picture shows in the pixel of `point` is the one on which the point

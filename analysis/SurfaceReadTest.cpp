@@ -26,9 +26,9 @@ struct Setting {
     camera.target = point;
     settings.map.size = 512;
   }
-  std::variant<SurfaceRead, Unreadable> read(const Vector3d& normal) {
+  std::variant<SurfaceRead, Unreadable> read(const Vector3d& normal, bool twoSided = false) {
     cascades = fitCascades(frame, camera, 4.0 / 3.0, room, settings.map);
-    return readOfSurface(point, normal,
+    return readOfSurface({point, normal, 0, twoSided},
                          {{camera, 640, 480}, frame, cascades, settings, room.diagonal().norm()});
   }
 
@@ -69,6 +69,9 @@ TEST(SurfaceRead, TheReceiverIsLoweredByThePlanesOwnSlope) {
     EXPECT_NEAR(read.read.v, at.v, 1e-12);
     EXPECT_TRUE(read.facesLight);
     EXPECT_FALSE(std::get<SurfaceRead>(setting.read(-tilted)).facesLight);
+    // A sheet has no inside: whichever way round its triangle is, the side in sight counts.
+    EXPECT_TRUE(std::get<SurfaceRead>(setting.read(tilted, true)).facesLight);
+    EXPECT_TRUE(std::get<SurfaceRead>(setting.read(-tilted, true)).facesLight);
     setting.settings.bias = {0.0, 0.0, false, false};
     EXPECT_NEAR(std::get<SurfaceRead>(setting.read(tilted)).receiver, at.z, 1e-12);
   }
@@ -137,7 +140,7 @@ TEST(SurfaceRead, CascadesFollowTheDistanceFromTheCamera) {
     cascades[2].nearDistance = 10.0 * own;
     cascades[2].farDistance = 20.0 * own;
     return std::get<SurfaceRead>(readOfSurface(
-        point, tilted,
+        {point, tilted},
         {{setting.camera, 640, 480}, setting.frame, cascades, setting.settings, 1.0}));
   };
   const auto expect = [](const SurfaceRead& read, int cascade, double next) {
@@ -191,6 +194,7 @@ TEST(SurfaceSpot, TheNearestTriangleAndItsObjectAreFound) {
   ASSERT_TRUE(level && upright);
   EXPECT_EQ(level->object, 0u);
   EXPECT_EQ(upright->object, 1u);
+  EXPECT_TRUE(level->twoSided);
   EXPECT_EQ(level->normal, Vector3d::UnitY());
   EXPECT_EQ(upright->normal, Vector3d::UnitZ());
   EXPECT_FALSE(surfaceNear(scene, {3, 0, 3}));     // in the plane, beside the triangle

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "filters/core/ClosedBody.h"
+
 namespace umbra {
 namespace {
 
@@ -35,9 +37,11 @@ std::optional<SurfaceSpot> surfaceNear(const Scene& scene, const Vector3d& point
   const Eigen::AlignedBox3d bounds = scene.lightBounds();
   double nearest = 1e-3 * (bounds.diagonal().norm() + (point - bounds.center()).norm());
   std::optional<SurfaceSpot> spot;
+  std::size_t triangle = 0;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Mesh& mesh = scene.objects[i].mesh;
-    for (const auto& corners : mesh.triangles) {
+    for (std::size_t j = 0; j < mesh.triangles.size(); ++j) {
+      const auto& corners = mesh.triangles[j];
       const Vector3d a = mesh.positions[corners[0]].cast<double>();
       const Vector3d b = mesh.positions[corners[1]].cast<double>();
       const Vector3d c = mesh.positions[corners[2]].cast<double>();
@@ -50,8 +54,10 @@ std::optional<SurfaceSpot> surfaceNear(const Scene& scene, const Vector3d& point
       nearest = distance;
       const Vector3d normal = across.normalized();
       spot = SurfaceSpot{point - normal.dot(point - a) * normal, normal, i};
+      triangle = j;
     }
   }
+  if (spot) spot->twoSided = !closedTriangles(scene.objects[spot->object].mesh)[triangle];
   return spot;
 }
 

@@ -13,6 +13,7 @@ struct SurfaceSpot {
   Eigen::Vector3d point;   // world, moved onto the triangle's plane
   Eigen::Vector3d normal;  // world, unit, of the triangle
   std::size_t object = 0;  // of the scene, by its place
+  bool twoSided = false;   // a sheet, lit and seen from both sides: it bounds no closed body
 };
 
 // The triangle nearest to `point` (world). None where it is farther away than the depth of a

@@ -12,7 +12,7 @@ SheetRow sheetRowOf(const NamedResult& result) {
   SheetRow row{result.kept.name, {}, {}, result.reason};
   if (const auto& point = result.kept.point) row.place = {point->x(), point->y(), point->z()};
   if (const auto& texel = result.kept.texel) row.place = {double(texel->x), double(texel->y)};
-  if (result.probe) row.figures = figuresOf(*result.probe);
+  if (result.probe) row.figures = figuresOf(*result.probe, result.truth);
   return row;
 }
 

@@ -17,6 +17,7 @@ struct NamedResult {
   std::optional<Probe> probe;
   Json json;           // as of a single probe; null without one
   std::string reason;  // why there is none
+  std::optional<double> truth;  // that errors are against, if it is not the probe's own reference
 };
 
 // The kept probe of that name, or every one for "all". Throws BadCommandLine that names the ones

@@ -89,11 +89,13 @@ KeptPlace placeOf(HeadlessFrame& frame, const Scene& scene, const Session& sessi
     return {{*pixel, {*shown}}, {}};
   const Eigen::AlignedBox3d bounds = scene.lightBounds();
   const LightFrame light = fitLightFrame(session.light.value_or(scene.light), bounds);
-  const auto found =
-      readOfSurface(spot->point, spot->normal,
-                    {picture, light, frame.cascades(), session.frame, bounds.diagonal().norm()});
+  const auto found = readOfSurface(
+      *spot, {picture, light, frame.cascades(), session.frame, bounds.diagonal().norm()});
   if (const auto* why = std::get_if<Unreadable>(&found))
-    return {{}, *why == Unreadable::OutsideMap ? "outside the shadow map" : "not in sight"};
+    return {{},
+            *why == Unreadable::OutsideMap
+                ? "outside the shadow map"
+                : "not in sight, and the filter reads as wide as a pixel"};
   const auto& read = std::get<SurfaceRead>(found);
   SurfacePoint surface;
   surface.u = read.read.u;

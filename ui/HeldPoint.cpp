@@ -95,7 +95,7 @@ std::variant<SurfacePlace, NotRead> HeldPoint::computed(const SceneView& view,
   const ShadowRenderer& drawn = *view.lastFrame();
   const double extent = document.content.scene->lightBounds().diagonal().norm();
   const auto found = readOfSurface(
-      spot->point, spot->normal,
+      *spot,
       {pictureOf(view), drawn.lightFrame(), drawn.cascades(), document.session.frame, extent});
   if (const auto* why = std::get_if<Unreadable>(&found))
     return *why == Unreadable::OutsideMap ? NotRead::OutsideMap : NotRead::NotInSight;

@@ -36,6 +36,7 @@ struct ProbeCommand {
     ProbeRequest request;
     Probe probe;
     Json json;
+    std::optional<double> truth;  // by rays, where errors are against it
   };
   Taken takeTexel(const Session& session, const DepthMap& map,
                   const std::vector<std::shared_ptr<Technique>>& chosen, Pixel at,
@@ -172,7 +173,7 @@ void ProbeCommand::probeDepthMap(Session session) const {
   std::vector<NamedResult> results;
   for (const NamedProbe& place : places) {
     const auto [x, y] = *place.texel;
-    NamedResult& result = results.emplace_back(NamedResult{place, {}, {}, {}});
+    NamedResult& result = results.emplace_back(NamedResult{place, {}, {}, {}, {}});
     if (x >= map.width() || y >= map.height()) {
       result.reason = std::to_string(x) + "," + std::to_string(y) + " is outside the map of " +
                       std::to_string(map.width()) + "x" + std::to_string(map.height()) +
@@ -220,17 +221,18 @@ void ProbeCommand::probeKept(const Session& session, const std::vector<NamedProb
   auto probes = umbra::probeKept(frame, scene, session, chosen, kept, byHand);
   std::vector<NamedResult> results;
   for (std::size_t i = 0; i < kept.size(); ++i) {
-    NamedResult& result = results.emplace_back(NamedResult{kept[i], {}, {}, probes[i].reason});
+    NamedResult& result = results.emplace_back(NamedResult{kept[i], {}, {}, probes[i].reason, {}});
     if (!probes[i].probe) {
       if (isTable()) continue;
-      throw Error(ErrorKind::WorkFailed, kept[i].name + ": " + probes[i].reason +
-                                             "; move camera or light, or choose another filter");
+      throw Error(ErrorKind::BadCommandLine,
+                  (named ? "--named: " : "keptProbe: ") + kept[i].name + ": " + probes[i].reason);
     }
     Taken taken = describe(std::move(*probes[i].probe), frame, scene, session, chosen);
     if (named) taken.json["name"] = kept[i].name;
     if (!isTable()) return finish(taken, session, &display);
     result.probe = std::move(taken.probe);
     result.json = std::move(taken.json);
+    result.truth = taken.truth;
   }
   finishTable(sourceToJson(shortNameOf(session.source), frame.depthMap()), results);
 }
@@ -252,7 +254,8 @@ ProbeCommand::Taken ProbeCommand::describe(
   ProbeRequest request = requestAt(frame, session.frame, probe.surface);
   request.receiver = probe.probe.receiver;
   request.techniques.assign(chosen.begin(), chosen.end());
-  return {std::move(request), std::move(probe.probe), std::move(object)};
+  return {std::move(request), std::move(probe.probe), std::move(object),
+          rayTraced() ? rays : std::nullopt};
 }
 
 void ProbeCommand::finishTable(const Json& source, const std::vector<NamedResult>& results) const {
@@ -270,11 +273,10 @@ void ProbeCommand::finishTable(const Json& source, const std::vector<NamedResult
 }
 
 void ProbeCommand::finish(const Taken& taken, const Session& session, Display* display) const {
-  const auto& [request, probe, object] = taken;
+  const auto& [request, probe, object, truth] = taken;
   if (json) return printJson(object);
-  if (!folder && rayTraced())
-    print("ray traced " + shortNumber(object["raytraced"].get<double>()) +
-          ", which the errors are against\n");
+  if (!folder && truth)
+    print("ray traced " + shortNumber(*truth) + ", which the errors are against\n");
   if (!folder) return print(probeText(probe) + (trace ? tracesText(probe) : std::string()));
   OutputFolder files(*folder);
   const std::unique_ptr<Display> own = display ? nullptr : loadDisplay();

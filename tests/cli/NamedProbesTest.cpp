@@ -122,7 +122,30 @@ TEST_F(NamedProbes, OutOfSightAProbeIsReadAllTheSame) {
               1000.0 * std::ldexp(1.0, -24));
 
   // A wider read has the pixel's size, which nobody knows.
-  expectError(1, "Spot: not in sight", probe(hidden, {"--named", "Spot", "--filter", "trilinear"}));
+  expectError(2, "--named: Spot: not in sight",
+              probe(hidden, {"--named", "Spot", "--filter", "trilinear"}));
+}
+
+// One truth throughout: what the errors are against is what the table calls the truth.
+TEST_F(NamedProbes, RaysAreTheTableTruthWhereTheyAreAskedFor) {
+  const Json spot = probed(session("two-planes", Json::array()), {"--pixel", "worst"});
+  const Json json = session("two-planes", {{{"name", "Spot"}, {"point", spot["world"]}}});
+  const std::string out = folder.file("probes");
+  const Outcome done = probe(json, {"--named", "all", "--reference", "raytraced", "-o", out});
+  ASSERT_EQ(done.status, 0) << done.err;
+  std::ifstream table(out + "/probes.csv");
+  std::string heading, line;
+  ASSERT_TRUE(std::getline(table, heading) && std::getline(table, line));
+  std::vector<double> numbers;
+  std::stringstream fields(line);
+  for (std::string field; std::getline(fields, field, ',');)
+    numbers.push_back(std::strtod(field.c_str(), nullptr));
+  // name, x, y, z, receiver, truth, then visibility and error of each technique, and a note.
+  const double truth = numbers.at(5);
+  EXPECT_EQ(truth, spot["raytraced"]);
+  for (std::size_t i = 6; i + 1 < numbers.size() - 1; i += 2)
+    EXPECT_NEAR(numbers[i] - truth, numbers[i + 1], 1e-15) << heading;
+  EXPECT_GE(numbers.size(), 8u);
 }
 
 TEST_F(NamedProbes, AllOfThemAreOneTable) {
