@@ -48,7 +48,8 @@ Image<float> referenceOf(const DrawnFrame& frame, int stride,
 }
 
 int decompositionStride(const DrawnFrame& frame, const Technique& technique,
-                        const DecompositionSettings& how, double mostTaps) {
+                        const DecompositionSettings& how, double mostTaps,
+                        const std::function<void()>& check) {
   constexpr int step = 16;              // judged by every sixteenth pixel along both axes
   constexpr double referenceTap = 0.1;  // what a tap costs of which no channels are made
   const bool reduces = bleedReduction(technique) > 0.0;
@@ -56,6 +57,7 @@ int decompositionStride(const DrawnFrame& frame, const Technique& technique,
   for (int y = 0; y < frame.surfaces.height(); y += step)
     for (int x = 0; x < frame.surfaces.width(); x += step) {
       if (!receivesShadow(frame.surfaces.pixel(x, y))) continue;
+      check();
       const Probe probe = takeProbe(requestAt(frame, x, y));
       const bool taken = worthDecomposing(frame.surfaces(x, y, 3), probe.reference, reduces, how);
       const double reads = taken ? (reduces ? 2.0 : 1.0) : 0.0;

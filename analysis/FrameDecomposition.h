@@ -24,7 +24,9 @@ Image<float> referenceOf(const DrawnFrame& frame, int stride,
 
 // The stride at which both together take as long as the technique's reads of some `mostTaps` taps,
 // or less.
-int decompositionStride(const DrawnFrame& frame, const Technique& technique,
-                        const DecompositionSettings& how, double mostTaps);
+// What `check`, called now and then, throws stops it.
+int decompositionStride(
+    const DrawnFrame& frame, const Technique& technique, const DecompositionSettings& how,
+    double mostTaps, const std::function<void()>& check = [] {});
 
 }  // namespace umbra

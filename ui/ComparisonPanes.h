@@ -73,6 +73,7 @@ class ComparisonPanes : public QWidget {
     std::shared_ptr<const Technique> technique;
     QImage picture;
     FrameEvidence evidence;
+    KeptEvidence kept = KeptEvidence::None;
     QString problem;  // why there is no picture
   };
   using DrawnPicture = std::shared_ptr<const Drawn>;
@@ -96,17 +97,12 @@ class ComparisonPanes : public QWidget {
   DrawnPicture pictureToShow(std::size_t pane);
   DrawnPicture draw(std::size_t pane);
   PictureSubject subject(std::size_t pane) const;
-  bool needsMaps(std::size_t pane) const;  // to be probed
+  KeptEvidence neededEvidence(std::size_t pane) const;  // to be probed
   // ComparisonPanesFigures.cpp
   void refreshFigures();
   void showErrors();
   // Of the probed point in the last frame; looked for once for all panes.
-  struct ProbedSurface {
-    bool inSight = false;
-    std::optional<Plane> plane;
-  };
-  ProbedSurface probedSurface();
-  std::optional<PaneFigures> figuresOf(std::size_t pane, std::optional<ProbedSurface>& surface);
+  std::optional<PaneFigures> figuresOf(std::size_t pane);
   bool isSetAsActive(std::size_t pane) const;
 
   SessionController& controller_;

@@ -22,23 +22,24 @@ PictureSubject ComparisonPanes::subject(std::size_t pane) const {
   const Document& document = controller_.document();
   const std::shared_ptr<const Scene>& scene = document.content.scene;
   // The camera as the mouse moves it, which the session learns of when it rests.
-  return {scene, document.session.light.value_or(scene->light), view_.lastFrame()->camera(),
+  return {scene, document.session.light.value_or(scene->light), view_.camera(),
           shown_[pane].session.frame, view_.pixels()};
 }
 
 ComparisonPanes::DrawnPicture ComparisonPanes::drawnAsIs(std::size_t pane) const {
-  if (!view_.lastFrame()) return nullptr;
   const PictureSubject wanted = subject(pane);
   for (const DrawnPicture& drawn : recent_)
     if (drawn->subject == wanted && sameSettings(*drawn->technique, *shown_[pane].technique))
-      return drawn->evidence.maps.empty() && !drawn->picture.isNull() && needsMaps(pane) ? nullptr
-                                                                                         : drawn;
+      return drawn->picture.isNull() || drawn->kept >= neededEvidence(pane) ? drawn : nullptr;
   return nullptr;
 }
 
-// Where the live view has the same map, that one is read.
-bool ComparisonPanes::needsMaps(std::size_t pane) const {
-  return !sameMap(shown_[pane].session.frame, controller_.session().frame) && !isSetAsActive(pane);
+// The report tells what a pane with the active one's settings shows; where the live view has the
+// same map, that one is read.
+KeptEvidence ComparisonPanes::neededEvidence(std::size_t pane) const {
+  if (isSetAsActive(pane)) return KeptEvidence::None;
+  return sameMap(shown_[pane].session.frame, controller_.session().frame) ? KeptEvidence::Surfaces
+                                                                          : KeptEvidence::Maps;
 }
 
 std::vector<std::size_t> ComparisonPanes::outOfDate() const {
@@ -58,11 +59,14 @@ ComparisonPanes::DrawnPicture ComparisonPanes::pictureToShow(std::size_t pane) {
   DrawnPicture& latest = latest_[pane];
   const Shown& shown = shown_[pane];
   if (const DrawnPicture drawn = drawnAsIs(pane)) return latest = drawn;
+  const auto& scene = controller_.document().content.scene;
   for (const DrawnPicture& drawn : recent_)
-    if (drawn->subject.frame == shown.session.frame &&
+    if (drawn->subject.scene == scene && drawn->subject.frame == shown.session.frame &&
         sameSettings(*drawn->technique, *shown.technique))
       return latest = drawn;
-  if (latest && latest->technique->info().id != shown.technique->info().id) latest = nullptr;
+  if (latest && (latest->subject.scene != scene ||
+                 latest->technique->info().id != shown.technique->info().id))
+    latest = nullptr;
   return latest;
 }
 
@@ -92,8 +96,7 @@ void ComparisonPanes::showPictures() {
 }
 
 void ComparisonPanes::schedule() {
-  if (arranged_ == ComparisonMode::Single || !view_.lastFrame() || view_.pixels().isEmpty() ||
-      outOfDate().empty())
+  if (arranged_ == ComparisonMode::Single || view_.pixels().isEmpty() || outOfDate().empty())
     return;
   std::vector<PictureSubject> wanted;
   for (std::size_t i = 0; i < shown_.size(); ++i) wanted.push_back(subject(i));
@@ -105,7 +108,7 @@ void ComparisonPanes::schedule() {
 
 // One at a time: what a person does meanwhile comes first.
 void ComparisonPanes::drawNext() {
-  if (arranged_ == ComparisonMode::Single || !view_.lastFrame()) return;
+  if (mode() != arranged_ || arranged_ == ComparisonMode::Single) return;
   const std::vector<std::size_t> waiting = outOfDate();
   if (waiting.empty()) return;
   recent_.insert(recent_.begin(), draw(waiting.front()));
@@ -117,12 +120,12 @@ void ComparisonPanes::drawNext() {
 
 ComparisonPanes::DrawnPicture ComparisonPanes::draw(std::size_t pane) {
   const Shown& shown = shown_[pane];
-  auto drawn =
-      std::make_shared<Drawn>(Drawn{subject(pane), shown.technique, {}, {}, shown.refusal});
+  auto drawn = std::make_shared<Drawn>(
+      Drawn{subject(pane), shown.technique, {}, {}, neededEvidence(pane), shown.refusal});
   if (!drawn->problem.isEmpty()) return drawn;
   try {
     if (!renderer_) renderer_ = std::make_unique<TechniquePictures>();
-    TechniqueDrawing drawing = renderer_->draw(drawn->subject, *drawn->technique, needsMaps(pane));
+    TechniqueDrawing drawing = renderer_->draw(drawn->subject, *drawn->technique, drawn->kept);
     drawn->picture = std::move(drawing.picture);
     drawn->evidence = std::move(drawing.evidence);
     drawn->picture.setDevicePixelRatio(view_.devicePixelRatioF());

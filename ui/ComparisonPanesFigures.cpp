@@ -9,17 +9,9 @@
 #include "ui/SessionController.h"
 
 namespace umbra {
-namespace {
-
-// Of surfaces in sight of one pixel, relative to the distance from the origin.
-constexpr double samePlace = 0.05;
-
-}  // namespace
-
 void ComparisonPanes::refreshFigures() {
-  std::optional<ProbedSurface> surface;
   for (std::size_t i = 0; i < figures_.size(); ++i)
-    figures_[i] = i < shown_.size() ? figuresOf(i, surface) : std::nullopt;
+    figures_[i] = i < shown_.size() ? figuresOf(i) : std::nullopt;
   showErrors();
   emit figuresChanged();
 }
@@ -33,22 +25,12 @@ bool ComparisonPanes::isSetAsActive(std::size_t pane) const {
          });
 }
 
-ComparisonPanes::ProbedSurface ComparisonPanes::probedSurface() {
-  const ProbeReport& report = *prober_.report();
-  if (!report.point) return {};
-  const auto surface = view_.surfaceAt(report.pixel);
-  const double near = samePlace * (1.0 + report.point->norm());
-  // Else something stands in front of the point.
-  if (!surface || (surface->world - *report.point).norm() > near) return {};
-  return {true, view_.surfacePlane(report.pixel, *surface)};
-}
-
 // Where the active pane has the same settings, the report has them too; else the pane's picture
 // kept what it was drawn of.
-std::optional<PaneFigures> ComparisonPanes::figuresOf(std::size_t pane,
-                                                      std::optional<ProbedSurface>& surface) {
+std::optional<PaneFigures> ComparisonPanes::figuresOf(std::size_t pane) {
   const auto& report = prober_.report();
-  if (!report) return std::nullopt;
+  // A depth file may have been opened that refresh() has yet to come to.
+  if (!report || !controller_.document().content.scene) return std::nullopt;
   const Session& session = controller_.session();
   if (isSetAsActive(pane)) {
     const TechniqueResult* result = resultOf(report->probe, shown_[pane].session.technique);
@@ -57,15 +39,14 @@ std::optional<PaneFigures> ComparisonPanes::figuresOf(std::size_t pane,
   }
   const DrawnPicture drawn = drawnAsIs(pane);
   if (!drawn || drawn->picture.isNull()) return std::nullopt;
-  if (!surface) surface = probedSurface();
-  if (!surface->inSight) return std::nullopt;
+  if (!report->inSight) return std::nullopt;
   const FrameEvidence& evidence = drawn->evidence;
   const auto mapOf = [&](int cascade) -> const DepthMap& {
     return evidence.maps.empty() ? view_.lastFrame()->depthMap(cascade)
                                  : evidence.maps[std::size_t(cascade)];
   };
   const std::optional<FrameProbe> probe = probeFrame(
-      evidence, drawn->subject.frame, mapOf, report->pixel, session.receiver, surface->plane);
+      evidence, drawn->subject.frame, mapOf, report->pixel, session.receiver, report->plane);
   if (!probe || probe->probe.techniques.empty()) return std::nullopt;
   return PaneFigures{probe->probe.techniques.front(), probe->probe.reference,
                      drawn->subject.frame.kernel, probe->footprint};

@@ -36,7 +36,8 @@ struct ErrorController::Gathered {
   // What `progress` throws stops it.
   std::shared_ptr<const Taken> taken(const std::function<void(double)>& progress) const {
     const DecompositionSettings how;
-    const int stride = decompositionStride(frame, *technique, how, mostTaps);
+    const int stride =
+        decompositionStride(frame, *technique, how, mostTaps, [&] { progress(0.0); });
     constexpr double first = 0.25;  // of the time, for the reference
     const Image<float> reference =
         referenceOf(frame, stride, [&](double part) { progress(first * part); });
@@ -64,6 +65,7 @@ ErrorController::ErrorController(SessionController& controller, SceneView& view,
             refresh();
           });
   connect(&view_, &SceneView::frameDrawn, this, &ErrorController::refresh);
+  connect(&view_, &SceneView::failed, this, &ErrorController::refresh);
   connect(&prober_, &Prober::reported, this, [this] {
     if (obstacle() != shownObstacle_) refresh();  // a veil came or went
   });
@@ -85,7 +87,7 @@ QString ErrorController::obstacle() const {
   if (controller_.document().content.depth)
     return tr(
         "A depth map has no picture. Open a scene: the error of its picture is taken apart here.");
-  return {};
+  return controller_.refusals().value(style::text(controller_.session().technique));
 }
 
 std::optional<ErrorController::FrameKey> ErrorController::presentKey() const {
@@ -224,6 +226,7 @@ QPolygonF ErrorController::lassoIn(const QSize& size) const {
 }
 
 void ErrorController::setLasso(const QPolygonF& lasso, const QSize& size) {
+  if (size.isEmpty() && !lasso.isEmpty()) return;  // its picture has gone since it was begun
   lasso_ = lasso;
   lassoSize_ = size;
   sumUp();

@@ -94,9 +94,8 @@ std::variant<SurfacePlace, NotRead> HeldPoint::computed(const SceneView& view,
   if (!spot) return NotRead::NoSurface;
   const ShadowRenderer& drawn = *view.lastFrame();
   const double extent = document.content.scene->lightBounds().diagonal().norm();
-  const auto found = readOfSurface(
-      *spot,
-      {pictureOf(view), drawn.lightFrame(), drawn.cascades(), document.session.frame, extent});
+  const auto found = readOfSurface(*spot, {pictureOf(view), drawn.lightFrame(), drawn.cascades(),
+                                           document.session.frame, extent});
   if (const auto* why = std::get_if<Unreadable>(&found))
     return *why == Unreadable::OutsideMap ? NotRead::OutsideMap : NotRead::NotInSight;
   const auto& read = std::get<SurfaceRead>(found);

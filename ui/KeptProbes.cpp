@@ -179,6 +179,7 @@ void KeptProbes::drop(int row) {
 void KeptProbes::goTo(int row) {
   const NamedProbe probe = rows_.at(std::size_t(row)).probe;
   if (row == current()) return;
+  prober_.settlePixel();
   const QSize size = view_.pixels();
   controller_.edit(tr("Go to probe"), [&](Session& session) {
     session.keptProbe = probe.name;

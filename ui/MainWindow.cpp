@@ -75,9 +75,10 @@ void MainWindow::connectParts() {
           [this](const Document& before, const Document& after) {
             if (!(before.content == after.content)) {
               showNotices();
-              probeNextFrame_ = true;
+              probeNextFrame_ = after.content.scene != nullptr;
             }
             attempt([&] { view_->showDocument(after, controller_.technique()); });
+            if (!view_->stale()) probeNextFrame_ = false;  // no frame follows
             // What needs a frame waits for the one that follows.
             if (after.content.depth || view_->upToDate()) evidence_->refreshMap();
             refresh();
@@ -111,10 +112,10 @@ void MainWindow::connectParts() {
 
 void MainWindow::afterFrame() {
   showFrameFigures();
-  if (!probeNextFrame_) return;
+  if (!probeNextFrame_ || view_->stale()) return;
   probeNextFrame_ = false;
   // A newcomer sees at once what the program is for.
-  if (!controller_.session().probe) prober_->pinWorstBleeding();
+  if (!controller_.session().probe) prober_->startAtWorstBleeding();
 }
 
 void MainWindow::refresh() {
@@ -180,7 +181,7 @@ Session MainWindow::sessionToSave() const {
   Session session = controller_.session();
   if (!controller_.document().content.scene) return session;
   const QSize size = view_->pixels();
-  const auto& report = prober_->report();
+  const auto& report = prober_->behindVeil();
   if (size.isEmpty()) return session;
   // The report may be of a picture of another size still.
   if (session.probe && report && report->pinned && report->point)

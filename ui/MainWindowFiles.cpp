@@ -16,6 +16,7 @@
 #include "ui/EvidencePanes.h"
 #include "ui/KeptProbesPane.h"
 #include "ui/MainWindow.h"
+#include "ui/Prober.h"
 #include "ui/SceneView.h"
 #include "ui/widgets/ProbeTable.h"
 
@@ -101,6 +102,8 @@ void MainWindow::askToSaveSession() {
 }
 
 void MainWindow::askToSavePicture() {
+  if (!controller_.document().content.scene)
+    return showError(tr("A depth map has no picture; its plots and tables can be exported."));
   const auto file = askWhere(tr("Export picture"), "picture.png", tr("Picture (*.png)"));
   if (!file) return;
   attempt([&] {
@@ -120,6 +123,7 @@ void MainWindow::askToSaveTable() {
 }
 
 void MainWindow::askToSaveKeptProbes() {
+  if (!prober_->veil().isEmpty()) return showError(prober_->veil());
   if (keptPane_->asText(',').isEmpty())
     return showError(tr("There is no table of kept probes to export: keep a probe first (K)."));
   const auto file =

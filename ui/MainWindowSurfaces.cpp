@@ -6,6 +6,7 @@
 #include "ui/CentrePane.h"
 #include "ui/MainWindow.h"
 #include "ui/MessageBanner.h"
+#include "ui/Prober.h"
 #include "ui/SceneView.h"
 #include "ui/SurfaceExport.h"
 #include "ui/widgets/Style.h"
@@ -38,6 +39,7 @@ QString textOf(const SurfaceSummary& summary) {
 // The first reason that stands against it, before a person is asked where to.
 QString MainWindow::whyNoSurfaces() const {
   const Document& document = controller_.document();
+  if (!prober_->veil().isEmpty()) return prober_->veil();
   if (!document.content.scene)
     return tr("A depth map has no surfaces to write on; open a scene or a mesh.");
   const QString refusal = controller_.refusals().value(style::text(document.session.technique));
@@ -63,7 +65,7 @@ void MainWindow::exportBleeding(const std::filesystem::path& file) {
   if (const QString reason = whyNoSurfaces(); !reason.isEmpty())
     throw Error(ErrorKind::BadCommandLine, reason.toStdString());
   if (view_->stale()) view_->repaint();
-  if (view_->stale())
+  if (!view_->lastFrame())
     throw Error(ErrorKind::WorkFailed, tr("The picture cannot be drawn.").toStdString());
   ShadowRenderer& frame = *view_->lastFrame();
   SurfaceJob job{controller_.document().content.scene,

@@ -8,6 +8,7 @@
 
 #include "analysis/Probe.h"
 #include "datasets/Session.h"
+#include "ui/Footprint.h"
 
 namespace umbra {
 
@@ -20,8 +21,10 @@ struct ProbeReport {
   int cascade = 0;      // on whose map it lies
   bool facesLight = true;
   bool receiverByHand = false;  // dragged in a plot, not the surface's
+  bool inSight = false;         // the picture's `pixel` shows the point
   // World, on the surface; absent for a depth file.
   std::optional<Eigen::Vector3d> point;
+  std::optional<Plane> plane;              // world, the surface around the point
   std::vector<Eigen::Vector3d> footprint;  // world, the outline of the region on the surface
 };
 

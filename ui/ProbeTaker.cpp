@@ -34,7 +34,9 @@ ProbeReport ProbeTaker::at(const SurfacePlace& place, const std::optional<double
   report.pixel = place.pixel;
   report.facesLight = surface.facesLight;
   report.receiverByHand = receiver.has_value();
+  report.inSight = place.inSight;
   report.point = surface.world;
+  report.plane = place.plane;
   report.footprint = footprintOf(ownRegion(report.probe), session.frame.map.size, surface.receiver,
                                  cascades[surface.cascade].frame, place.plane);
   if (receiver || !place.asShown) return report;  // the frame shows no such visibility

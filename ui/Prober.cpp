@@ -27,6 +27,7 @@ Prober::Prober(SessionController& controller, SceneView& view, QObject* parent)
   connect(&view_, &SceneView::frameDrawn, this, &Prober::refresh);
   connect(&view_, &SceneView::hovered, this, &Prober::hover);
   connect(&view_, &SceneView::clicked, this, &Prober::pin);
+  connect(&view_, &SceneView::failed, this, &Prober::refresh);
   connect(&controller_, &SessionController::changed, this, &Prober::sessionChanged);
 }
 
@@ -84,6 +85,8 @@ void Prober::pin(const Pixel& pixel) {
   const bool onScene = controller_.document().content.scene != nullptr;
   if (onScene && !view_.surfaceAt(pixel)) return;  // the sky has no shadow to take apart
   const QSize size = view_.pixels();
+  settlePixel();
+  held_.reset();
   controller_.edit(tr("Pin probe"), [&](Session& session) {
     session.probe = pixel;
     session.keptProbe.clear();
@@ -96,6 +99,7 @@ void Prober::pin(const Pixel& pixel) {
 }
 
 void Prober::unpin() {
+  settlePixel();
   hover_.reset();
   controller_.edit(tr("Unpin probe"), [](Session& session) {
     session.probe.reset();
@@ -105,23 +109,47 @@ void Prober::unpin() {
   refresh();
 }
 
-void Prober::pinWorstBleeding() {
+std::optional<Pixel> Prober::findWorstBleeding() {
   ShadowRenderer* frame = view_.lastFrame();
-  if (!frame) return;
+  if (!frame || view_.stale()) return std::nullopt;
   try {
     const auto worst = worstBleeding(frame->surfaces(), frame->reference());
-    if (!worst) return;
-    const QSize size = view_.pixels();
-    controller_.amend([&](Session& session) {
-      session.probe = Pixel{worst->x, worst->y};
-      session.keptProbe.clear();
-      session.width = size.width();
-      session.height = size.height();
-    });
-    refresh();
+    return worst ? std::optional(Pixel{worst->x, worst->y}) : std::nullopt;
   } catch (const std::exception& problem) {
     emit failed(QString::fromUtf8(problem.what()));
+    return std::nullopt;
   }
+}
+
+void Prober::pinWorstBleeding() {
+  if (const auto worst = findWorstBleeding()) pin(*worst);
+}
+
+void Prober::startAtWorstBleeding() {
+  const auto worst = findWorstBleeding();
+  if (!worst) return;
+  const QSize size = view_.pixels();
+  controller_.amend([&](Session& session) {
+    session.probe = *worst;
+    session.keptProbe.clear();
+    session.width = size.width();
+    session.height = size.height();
+  });
+  refresh();
+}
+
+// The session has the pixel of a click; the camera may have moved since.
+void Prober::settlePixel() {
+  const Session& before = controller_.session();
+  if (!before.probe || !held_ || !before.keptProbe.empty()) return;
+  const auto pixel = view_.pixelOf(held_->point());
+  const QSize size = view_.pixels();
+  if (!pixel || (*pixel == *before.probe && size == QSize(before.width, before.height))) return;
+  controller_.amend([&](Session& session) {
+    session.probe = *pixel;
+    session.width = size.width();
+    session.height = size.height();
+  });
 }
 
 void Prober::refresh() {

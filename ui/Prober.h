@@ -40,8 +40,13 @@ class Prober : public QObject {
   // picture has by then.
   std::optional<Eigen::Vector3d> pinnedPoint() const;
   void holdPoint(const std::optional<Eigen::Vector3d>& point);
-  // Pins the pixel of the last frame where light bleeds most; none where no light bleeds.
+  // Pins the pixel of the last frame where light bleeds most, a step for undo; none where no light
+  // bleeds.
   void pinWorstBleeding();
+  void startAtWorstBleeding();  // the same, but no step: nobody has done anything yet
+  // Gives the session the pixel that shows the pinned point now, so that undo finds it again:
+  // before the probe goes elsewhere.
+  void settlePixel();
 
   // For other probes of the same frame.
   ProbeTaker& taker() { return taker_; }
@@ -51,6 +56,7 @@ class Prober : public QObject {
   void failed(const QString& message);
 
  private:
+  std::optional<Pixel> findWorstBleeding();
   std::optional<ProbeReport> take();
   std::optional<SurfacePlace> currentPlace();
   const NamedProbe* keptProbe() const;

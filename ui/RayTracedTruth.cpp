@@ -1,6 +1,7 @@
 #include "ui/RayTracedTruth.h"
 
 #include <QMetaObject>
+#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -10,6 +11,15 @@
 #include "ui/SessionController.h"
 
 namespace umbra {
+namespace {
+
+// Hovering over a picture may ask for every texel in the end.
+int sideOf(int mapSize, std::size_t cascades) {
+  return std::min(RayTracedVisibility::largestSide,
+                  RayTracedVisibility::sideFor(mapSize, int(cascades)));
+}
+
+}  // namespace
 
 RayTracedTruth::RayTracedTruth(SessionController& controller, SceneView& view, Prober& prober,
                                QObject* parent)
@@ -41,6 +51,7 @@ void RayTracedTruth::follow() {
   visibility_.reset();
   ++reports_;
   std::optional<Job> job = jobOf();
+  if (!busy_ && !applies()) rays_.reset();
   if (busy_)
     next_ = std::move(job);
   else if (job)
@@ -55,7 +66,7 @@ void RayTracedTruth::start(Job job) {
       if (!rays_ || raysOf_ != job.map)
         rays_ = std::make_unique<RayTracedVisibility>(*job.scene, job.cascades, job.mapSize,
                                                       job.cullFrontFaces,
-                                                      RayTracedVisibility::largestSide);
+                                                      sideOf(job.mapSize, job.cascades.size()));
       raysOf_ = job.map;
       visibility = (*rays_)(job.region, job.receiver);
     } catch (const std::exception&) {

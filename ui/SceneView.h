@@ -40,14 +40,15 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void setFramed(bool framed);  // as the active one of several panes
   const SceneOverlay::Contents& overlayContents() const { return contents_; }
 
-  QSize pixels() const;  // of the picture
+  QSize pixels() const;                                // of the picture
+  Camera camera() const { return shadow_->camera(); }  // as the mouse may have moved it
   Pixel pixelAt(const QPointF& point) const;
   // Where a world point is seen, hidden or not.
   std::optional<Pixel> pixelOf(const Eigen::Vector3d& world) const;
 
   const LightHandle& lightHandle() const { return overlay_->handle(); }
 
-  // Of the last frame; null before the first one.
+  // Of the last frame; null before the first one, and where the last one could not be drawn.
   ShadowRenderer* lastFrame() { return drawn_ ? shadow_.get() : nullptr; }
   const ShadowRenderer* lastFrame() const { return drawn_ ? shadow_.get() : nullptr; }
   std::optional<SurfacePoint> surfaceAt(const Pixel& pixel);
@@ -61,8 +62,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   // The same of the first cascade's map, which techniques adapt to.
   int firstMapRevision() const { return firstMapRevision_; }
   int channelsRevision() const { return channelsRevision_; }
-  // What was asked for last is not drawn yet: a frame will follow.
-  bool stale() const { return stale_ || !drawn_; }
+  // What was asked for last is not drawn yet: a frame will follow, if it can be drawn.
+  bool stale() const { return stale_; }
   // Whether the last frame shows all that was asked for, with splits at rest.
   bool upToDate() const { return drawn_ && !stale_ && !shadow_->splitsMoving(); }
 

@@ -87,7 +87,7 @@ void TechniquePictures::makeCurrent() {
 }
 
 TechniqueDrawing TechniquePictures::draw(const PictureSubject& subject, const Technique& technique,
-                                         bool withMaps) {
+                                         KeptEvidence kept) {
   const CurrentContext before;
   makeCurrent();
   const bool newScene = subject.scene != drawn_.scene;
@@ -102,13 +102,14 @@ TechniqueDrawing TechniquePictures::draw(const PictureSubject& subject, const Te
   const Image<std::uint8_t> colour = renderer_->colour();
   const QImage picture(colour.values().data(), colour.width(), colour.height(), colour.width() * 3,
                        QImage::Format_RGB888);
-  return {picture.copy(), evidence(technique, withMaps)};
+  return {picture.copy(), evidence(technique, kept)};
 }
 
-FrameEvidence TechniquePictures::evidence(const Technique& technique, bool withMaps) {
+FrameEvidence TechniquePictures::evidence(const Technique& technique, KeptEvidence kept) {
+  if (kept == KeptEvidence::None) return {};
   FrameEvidence evidence{
       renderer_->surfaces(), renderer_->footprints(), renderer_->cascades(), {}, nullptr};
-  for (int i = 0; withMaps && i < int(evidence.cascades.size()); ++i)
+  for (int i = 0; kept == KeptEvidence::Maps && i < int(evidence.cascades.size()); ++i)
     evidence.maps.push_back(renderer_->depthMap(i));
   std::shared_ptr<Technique> adapted = technique.clone();
   if (const std::vector<double> splits = renderer_->adaptedSplits(); !splits.empty())

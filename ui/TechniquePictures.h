@@ -33,9 +33,12 @@ struct PictureSubject {
   bool operator==(const PictureSubject&) const = default;
 };
 
+// Of a frame: nothing, what its pixels read, or the maps that they read as well.
+enum class KeptEvidence { None, Surfaces, Maps };
+
 struct TechniqueDrawing {
   QImage picture;
-  FrameEvidence evidence;
+  FrameEvidence evidence;  // empty images where none is kept
 };
 
 // Has an OpenGL context of its own: what the screen's frame knows of its pixels stays.
@@ -47,13 +50,13 @@ class TechniquePictures {
   TechniquePictures(const TechniquePictures&) = delete;
   TechniquePictures& operator=(const TechniquePictures&) = delete;
 
-  // Splits that follow the map are at rest. The evidence has maps where they are asked for. Throws
-  // as ShadowRenderer::render does.
-  TechniqueDrawing draw(const PictureSubject& subject, const Technique& technique, bool withMaps);
+  // Splits that follow the map are at rest. Throws as ShadowRenderer::render does.
+  TechniqueDrawing draw(const PictureSubject& subject, const Technique& technique,
+                        KeptEvidence kept);
 
  private:
   void makeCurrent();
-  FrameEvidence evidence(const Technique& technique, bool withMaps);
+  FrameEvidence evidence(const Technique& technique, KeptEvidence kept);
 
   std::unique_ptr<QOffscreenSurface> surface_;
   std::unique_ptr<QOpenGLContext> context_;

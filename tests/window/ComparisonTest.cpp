@@ -5,6 +5,7 @@
 
 #include "datasets/DepthFile.h"
 #include "datasets/PaneEditing.h"
+#include "datasets/SessionFile.h"
 #include "tests/window/Pictures.h"
 #include "tests/window/WindowTest.h"
 #include "ui/CentrePane.h"
@@ -106,7 +107,7 @@ void WindowTest::panesAreLabelledWithTheirErrorAtTheProbe() {
   QVERIFY(panes.header(0).errorText().isEmpty());
   const QSize size = window.view().pixels();
   emit panes.picture(1).hovered(Pixel{size.width() / 2, size.height() * 4 / 5});
-  QTRY_VERIFY(window.prober().report().has_value());
+  QTRY_VERIFY_WITH_TIMEOUT(window.prober().report().has_value(), patience);
   QVERIFY(labelled());
 }
 
@@ -169,8 +170,15 @@ void WindowTest::aDepthFileTakesThePlaceOfPanes() {
   settlePanes();
   const QString file = folder_.filePath("beside-panes.exr");
   writeExr(file.toStdString(), {{"Z", Image<float>(24, 16, 1, 0.5F)}}, {});
-  window.openFile(file.toStdString());
-  QTRY_VERIFY(window.controller().document().content.depth != nullptr);
+  // With a probe at once, and settings that no pane has.
+  Session session;
+  session.source = {SourceKind::DepthFile, file.toStdString(), {}, 0.0, 1.0, {}};
+  session.frame.kernel.radius = 8;
+  session.probe = Pixel{12, 8};
+  const QString saved = folder_.filePath("beside-panes.json");
+  writeSession(session, saved.toStdString());
+  window.openFile(saved.toStdString());
+  QTRY_VERIFY_WITH_TIMEOUT(window.controller().document().content.depth != nullptr, patience);
   QVERIFY(window.centre().depthView().isVisible());
   key(Qt::Key_Z, Qt::ControlModifier);
   QVERIFY(window.controller().document().content.scene != nullptr);

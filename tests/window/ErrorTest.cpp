@@ -24,8 +24,6 @@
 namespace umbra {
 namespace {
 
-constexpr int patience = 60000;  // milliseconds
-
 Session smallSession() {
   Session session;
   session.frame.map.size = 512;
@@ -272,11 +270,11 @@ void WindowTest::withoutAPictureTheErrorSaysWhy() {
   QCOMPARE(cell(pane, 0, 1), QString());
   QVERIFY(pane.table().asText().isEmpty());
   window.prober().setVeil({});
-  QTRY_VERIFY(!pane.canvas().picture().isNull());
+  QTRY_VERIFY_WITH_TIMEOUT(!pane.canvas().picture().isNull(), patience);
   const QString file = folder_.filePath("no-picture.exr");
   writeExr(file.toStdString(), {{"Z", Image<float>(16, 16, 1, 0.5F)}}, {});
   window.openFile(file.toStdString());
-  QTRY_VERIFY(window.controller().document().content.depth != nullptr);
+  QTRY_VERIFY_WITH_TIMEOUT(window.controller().document().content.depth != nullptr, patience);
   QVERIFY(pane.canvas().picture().isNull());
   QVERIFY(pane.canvas().shownText().contains("depth map"));
   QCOMPARE(cell(pane, 0, 1), QString());

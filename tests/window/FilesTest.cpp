@@ -64,7 +64,7 @@ void WindowTest::aBadFileLeavesTheSceneOpen() {
     written.close();
     window.centre().banner().dismiss();
     window.openFile(file.toStdString());
-    QTRY_VERIFY(window.centre().banner().text().contains(name));
+    QTRY_VERIFY_WITH_TIMEOUT(window.centre().banner().text().contains(name), patience);
     QVERIFY(window.controller().document().content == before.content);
     QVERIFY(window.controller().session() == before.session);
   }
@@ -132,7 +132,7 @@ void WindowTest::aDepthFileIsProbedByTexel() {
   const QString file = folder_.filePath("depths.exr");
   writeExr(file.toStdString(), {{"Z", depths}}, {});
   window.openFile(file.toStdString());
-  QTRY_VERIFY(window.controller().document().content.depth != nullptr);
+  QTRY_VERIFY_WITH_TIMEOUT(window.controller().document().content.depth != nullptr, patience);
   QVERIFY(window.centre().depthView().isVisible());
   emit window.centre().depthView().texelClicked(5, 20);
   window.controller().edit("receiver", [](Session& session) { session.receiver = 0.4; });

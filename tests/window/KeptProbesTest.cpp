@@ -127,7 +127,7 @@ void WindowTest::aKeptProbeIsGoneToRenamedAndDeleted() {
   QVERIFY(editor);
   editor->setText("Under the \"bench\"");
   QTest::keyClick(editor, Qt::Key_Return);
-  QTRY_COMPARE(cell(window, 0, 0), QString("Under the \"bench\""));
+  QTRY_COMPARE_WITH_TIMEOUT(cell(window, 0, 0), QString("Under the \"bench\""), patience);
   QCOMPARE(window.controller().session().keptProbe, std::string("Under the \"bench\""));
   QCOMPARE(*window.prober().pinnedPoint(), first);
 
@@ -223,7 +223,7 @@ void WindowTest::keptTexelsAreOfTheirFile() {
   const QString file = folder_.filePath("kept.exr");
   writeExr(file.toStdString(), {{"Z", depths}}, {});
   window.openFile(file.toStdString());
-  QTRY_VERIFY(window.controller().document().content.depth != nullptr);
+  QTRY_VERIFY_WITH_TIMEOUT(window.controller().document().content.depth != nullptr, patience);
   emit window.centre().depthView().texelClicked(5, 20);
   window.controller().edit("receiver", [](Session& session) { session.receiver = 0.4; });
   window.keptProbes().keep();
@@ -253,7 +253,7 @@ void WindowTest::keptFiguresHideBehindAVeil() {
   QVERIFY(!pane.view().isVisible());
   QVERIFY(pane.asText('\t').isEmpty());
   window.prober().setVeil({});
-  QTRY_VERIFY(pane.view().isVisible());
+  QTRY_VERIFY_WITH_TIMEOUT(pane.view().isVisible(), patience);
   QVERIFY(!pane.asText('\t').isEmpty());
 }
 

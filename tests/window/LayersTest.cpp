@@ -18,8 +18,6 @@
 namespace umbra {
 namespace {
 
-constexpr int patience = 60000;  // milliseconds
-
 Session layeredSession() {
   Session session;
   session.technique = "lvsm";

@@ -169,7 +169,7 @@ void WindowTest::panesWithSettingsAreSavedAndOpened() {
   key(Qt::Key_F8);
   setRadius(window, 1);
   window.openFile(file.toStdString());
-  QTRY_VERIFY(window.controller().session() == saved);
+  QTRY_VERIFY_WITH_TIMEOUT(window.controller().session() == saved, patience);
   settlePanes();
   ComparisonPanes& panes = window.centre().comparison();
   const std::vector<std::string> shown{"vsm", "vsm", "msm"};

@@ -16,8 +16,6 @@
 namespace umbra {
 namespace {
 
-constexpr int patience = 60000;  // milliseconds
-
 // The mean of max(error, 0) over all surfaces, as the analysis has it.
 SurfaceSummary expectedSummary(MainWindow& window) {
   ShadowRenderer& frame = *window.view().lastFrame();

@@ -11,6 +11,8 @@
 
 namespace umbra {
 
+constexpr int patience = 60000;  // milliseconds; software OpenGL beside other work
+
 class WindowTest : public QObject {
   Q_OBJECT
 

@@ -1,4 +1,4 @@
-// The rows of KeptProbesTable: a probe each, with a column for every technique.
+// The rows of KeptProbesPane: a probe each, with a column for every technique.
 #pragma once
 
 #include <QAbstractTableModel>

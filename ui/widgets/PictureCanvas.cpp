@@ -36,6 +36,8 @@ void PictureCanvas::setPicture(const QImage& picture) {
   if (picture.size() != picture_.size()) {
     zoom_ = 1.0;
     centre_ = QPointF(picture.width() / 2.0, picture.height() / 2.0);
+    pressed_.reset();  // what is being drawn is of the picture before
+    drawn_.clear();
   }
   picture_ = picture;
   shrunk_ = {};
