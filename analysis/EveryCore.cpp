@@ -10,13 +10,15 @@ namespace umbra {
 
 void onEveryCore(int count, const std::function<void(int)>& work,
                  const std::function<void(int)>& between) {
+  if (count <= 0) return;
+  between(0);
   std::atomic<int> next = 0;
   std::exception_ptr problem;
   std::mutex mutex;
   const auto run = [&](bool calling) {
     try {
       for (int i = next++; i < count; i = next++) {
-        if (calling) between(i);
+        if (calling && i > 0) between(i);
         work(i);
       }
     } catch (...) {

@@ -39,5 +39,15 @@ TEST(EveryCore, TheFirstExceptionEndsTheWork) {
                std::runtime_error);
 }
 
+// Were it asked only between the calling thread's own shares, other threads could have taken all.
+TEST(EveryCore, EvenTheLeastWorkCanBeStopped) {
+  int done = 0;
+  for (int times = 0; times < 300; ++times)
+    EXPECT_THROW(onEveryCore(
+                     1, [&](int) { ++done; }, [](int) { throw std::runtime_error("stopped"); }),
+                 std::runtime_error);
+  EXPECT_EQ(done, 0);
+}
+
 }  // namespace
 }  // namespace umbra
