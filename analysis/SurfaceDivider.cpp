@@ -84,6 +84,20 @@ bool SurfaceDivider::mayFaceLight(const SurfaceFace& face) const {
   return false;
 }
 
+std::uint32_t SurfaceDivider::longestOnMap(const Corners& edges) const {
+  return std::ranges::max(edges, {}, [this](std::uint32_t e) { return edges_[e].length; });
+}
+
+double SurfaceDivider::longestEdge() const {
+  double longest = 0.0;
+  for (std::size_t i = 0; i < edgesOf_.size(); ++i) {
+    const double length = edges_[longestOnMap(edgesOf_[i])].length;
+    if (length > longest && mayLieOnMap(mesh_.faces[i]) && mayFaceLight(mesh_.faces[i]))
+      longest = length;
+  }
+  return longest;
+}
+
 int SurfaceDivider::longestInWorld(const Corners& corners) const {
   const auto squared = [&](int i) {
     return (mesh_.positions[corners[i]] - mesh_.positions[corners[(i + 1) % 3]]).squaredNorm();
@@ -95,11 +109,10 @@ int SurfaceDivider::longestInWorld(const Corners& corners) const {
 // The longest edge of each face that has one to be halved. Faces of which another edge is halved
 // get their own longest one halved with it, so that none becomes slender (Rivara 1984).
 bool SurfaceDivider::markEdges(double edge) {
-  const auto length = [this](std::uint32_t e) { return edges_[e].length; };
   bool any = false;
   for (std::size_t i = 0; i < edgesOf_.size(); ++i) {
-    const std::uint32_t longest = std::ranges::max(edgesOf_[i], {}, length);
-    if (double(length(longest)) <= edge || !mayLieOnMap(mesh_.faces[i]) ||
+    const std::uint32_t longest = longestOnMap(edgesOf_[i]);
+    if (double(edges_[longest].length) <= edge || !mayLieOnMap(mesh_.faces[i]) ||
         !mayFaceLight(mesh_.faces[i]))
       continue;
     any = edges_[longest].marked = true;

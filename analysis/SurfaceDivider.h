@@ -14,6 +14,9 @@ class SurfaceDivider {
   // Divides `mesh`, which must outlive it.
   SurfaceDivider(SurfaceMesh& mesh, const LightFrame& light, int mapSize);
 
+  // Texels: of the faces on the map that are turned to the light; 0 without any.
+  double longestEdge() const;
+
   // Until no edge on the map is longer than `edge` texels. False, and the mesh stays as it is,
   // where that takes more than `most` faces.
   bool divide(double edge, std::size_t most, const std::function<void()>& check);
@@ -37,6 +40,7 @@ class SurfaceDivider {
   double nearestW() const;
   bool mayLieOnMap(const SurfaceFace& face) const;
   bool mayFaceLight(const SurfaceFace& face) const;
+  std::uint32_t longestOnMap(const Corners& edges) const;
   int longestInWorld(const Corners& corners) const;
   bool markEdges(double edge);
   std::size_t facesAfterwards() const;

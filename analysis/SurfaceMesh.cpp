@@ -46,11 +46,12 @@ SurfaceMesh surfaceMeshOf(const Scene& scene, const LightFrame& light, int mapSi
   SurfaceMesh mesh = trianglesOf(scene);
   check();
   SurfaceDivider divider(mesh, light, mapSize);
+  const std::size_t most = mesh.faces.size() + settings.mostFaces;
   // From coarse to fine, so that what there is no room for is missing evenly.
   double edge = settings.edge;
   while (edge < mapSize) edge *= 2.0;
-  for (mesh.edge = 2.0 * edge; edge >= settings.edge; edge *= 0.5) {
-    if (!divider.divide(edge, settings.mostFaces, check)) break;
+  for (mesh.edge = divider.longestEdge(); edge >= settings.edge; edge *= 0.5) {
+    if (!divider.divide(edge, most, check)) break;
     mesh.edge = edge;
   }
   return mesh;

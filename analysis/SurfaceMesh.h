@@ -16,7 +16,7 @@ struct SurfaceMeshSettings {
   static constexpr double shortestEdge = 0.5, longestEdge = 256.0;
 
   double edge = 4.0;  // texels of the map, within the range above: no edge on it is longer
-  std::size_t mostFaces = 2'000'000;
+  std::size_t mostFaces = 2'000'000;  // that dividing may add to those of the scene
 };
 
 struct SurfaceFace {
@@ -30,7 +30,7 @@ struct SurfaceMesh {
   std::vector<Eigen::Vector3f> positions;  // world
   std::vector<Eigen::Vector3f> normals;    // unit, for shading
   std::vector<SurfaceFace> faces;          // without those of no area
-  // Texels: what was kept to. More than was asked for where that would take too many faces.
+  // Texels: what was kept to. More than was asked for where that would add too many faces.
   double edge = 0.0;
 };
 

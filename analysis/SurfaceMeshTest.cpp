@@ -153,6 +153,39 @@ TEST(SurfaceMesh, StopsEvenlyWhereThereAreTooManyFaces) {
     EXPECT_LE(longestEdge(mesh, face, light, 256), mesh.edge);
 }
 
+// As a detailed model stands on a plain ground.
+TEST(SurfaceMesh, WhatTheSceneHasDoesNotCountAgainstWhatMayBeAdded) {
+  Mesh detailed;
+  for (int i = 0; i < 2000; ++i) {
+    const auto offset = std::uint32_t(detailed.positions.size());
+    const Mesh tile = ground(0.01f, 0.001f * float(i));
+    detailed.positions.insert(detailed.positions.end(), tile.positions.begin(),
+                              tile.positions.end());
+    detailed.normals.insert(detailed.normals.end(), tile.normals.begin(), tile.normals.end());
+    for (auto [a, b, c] : tile.triangles)
+      detailed.triangles.push_back({a + offset, b + offset, c + offset});
+  }
+  const LightFrame light = frameOf(lightFrom({0, 9, 0}));
+  const SurfaceMeshSettings settings{.edge = 4.0, .mostFaces = 3000};
+  const SurfaceMesh alone = surfaceMeshOf(sceneOf({ground(2.0f, -1.0f)}), light, 64, settings);
+  const SurfaceMesh both =
+      surfaceMeshOf(sceneOf({ground(2.0f, -1.0f), detailed}), light, 64, settings);
+  EXPECT_EQ(both.edge, 4.0);
+  EXPECT_GT(alone.faces.size(), 100u);
+  EXPECT_EQ(both.faces.size(), alone.faces.size() + detailed.triangles.size());
+}
+
+// A square of 4 on a map of 4.04, of which no face may be divided: its diagonal is the longest.
+TEST(SurfaceMesh, WhatIsNotDividedAtAllTellsItsOwnLongestEdge) {
+  const LightFrame light = frameOf(lightFrom({0, 9, 0}));
+  const SurfaceMesh mesh =
+      surfaceMeshOf(sceneOf({ground(2.0f)}), light, 64, {.edge = 2.0, .mostFaces = 0});
+  EXPECT_EQ(mesh.faces.size(), 2u);
+  // Lengths are floats of less than 2^7.
+  EXPECT_NEAR(mesh.edge, longestEdge(mesh, mesh.faces.front(), light, 64), 0x1p-17);
+  EXPECT_NEAR(mesh.edge, 64 * 4.0 * std::sqrt(2.0) / 4.04, 0x1p-16);
+}
+
 TEST(SurfaceMesh, FacesWithoutAreaAreLeftOut) {
   Mesh mesh = ground(1.0f);
   mesh.triangles.push_back({0, 1, 1});

@@ -34,8 +34,8 @@ const SurfaceMesh& SurfaceCompare::meshOn(HeadlessFrame& frame) {
                         options_.mesh, throwIfCancelled);
   if (mesh_->edge > options_.mesh.edge)
     spdlog::warn(
-        "--surfaces: edges are up to {} texels long in place of {}, which would take more "
-        "than {} faces",
+        "--surfaces: edges are up to {} texels long in place of {}, which would add more "
+        "than {} faces to the scene's",
         shortNumber(mesh_->edge), shortNumber(options_.mesh.edge), options_.mesh.mostFaces);
   return *mesh_;
 }

@@ -28,7 +28,7 @@ QString textOf(const SurfaceSummary& summary) {
   if (summary.edge <= asked.edge) return text;
   return text + MainWindow::tr(
                     " The mesh's edges are up to %1 texels long in place of %2, which would "
-                    "take more than %L3 faces.")
+                    "add more than %L3 faces to the scene's.")
                     .arg(summary.edge)
                     .arg(asked.edge)
                     .arg(qulonglong(asked.mostFaces));
