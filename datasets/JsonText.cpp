@@ -13,19 +13,23 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-// Follows a parser into its objects.
+// Follows a parser into its objects and lists.
 class Keys {
  public:
   explicit Keys(std::string_view where) : where_(where) {}
 
   void follow(Json::parse_event_t event, const Json& parsed) {
-    if (event == Json::parse_event_t::object_start) open_.emplace_back();
-    if (event == Json::parse_event_t::object_end) open_.pop_back();
-    if (event == Json::parse_event_t::key) add(parsed.get<std::string>());
+    using Event = Json::parse_event_t;
+    if (event == Event::object_end || event == Event::array_end) return open_.pop_back();
+    if (event == Event::key) return add(parsed.get<std::string>());
+    if (!open_.empty() && open_.back().list) ++open_.back().count;  // an element, or its start
+    if (event != Event::value) open_.push_back({event == Event::array_start, 0, {}, {}});
   }
 
  private:
-  struct Object {
+  struct Level {
+    bool list = false;      // else an object
+    std::size_t count = 0;  // of a list's elements up to the one that the parser is at
     std::set<std::string> keys;
     std::string last;
   };
@@ -33,14 +37,21 @@ class Keys {
   void add(const std::string& key) {
     open_.back().last = key;
     if (open_.back().keys.insert(key).second) return;
-    std::string path;
-    for (const Object& object : open_) path += (path.empty() ? "" : ".") + object.last;
     throw Error(ErrorKind::BadInput,
-                std::string(where_) + ": " + path + ": is there twice, one has to go");
+                std::string(where_) + ": " + path() + ": is there twice, one has to go");
+  }
+
+  // "probes[2].name": lists count from 1.
+  std::string path() const {
+    std::string path;
+    for (const Level& level : open_)
+      path += level.list ? "[" + std::to_string(level.count) + "]"
+                         : (path.empty() ? "" : ".") + level.last;
+    return path;
   }
 
   std::string_view where_;
-  std::vector<Object> open_;  // those that the parser is in, outermost first
+  std::vector<Level> open_;  // those that the parser is in, outermost first
 };
 
 }  // namespace

@@ -185,6 +185,12 @@ TEST_F(SessionFileTest, AKeyThatIsThereTwiceIsRefused) {
   EXPECT_EQ(
       sessionErrorOf(sessionWith(R"("technique": "vsm", "size": [64, 64], "technique": "esm")")),
       "s.json: technique: is there twice, one has to go");
+  // In a list the element is named as everywhere, whatever stands before it.
+  EXPECT_EQ(sessionErrorOf(sessionWith(R"("probes": [{"name": "a", "point": [1, 2, 3]}, 7, [8, {}],
+                                               {"name": "b", "point": [1, 2], "name": "c"}])")),
+            "s.json: probes[4].name: is there twice, one has to go");
+  EXPECT_EQ(sessionErrorOf(R"([[], [{}, {"a": [1, 2], "a": 3}]])"),
+            "s.json: [2][2].a: is there twice, one has to go");
   // One name in two objects is no repetition.
   EXPECT_EQ(sessionErrorOf(sessionWith(R"("parameters": {"vsm": {"bleed-reduction": 0.1},
                                                   "msm": {"bleed-reduction": 0.1}})")),
