@@ -90,8 +90,8 @@ std::size_t shownPanes(const Comparison& comparison) {
 void exchangeActive(Session& session) {
   if (session.comparison.panes.empty()) return;
   Pane& pane = session.comparison.panes[session.comparison.active];
-  visitFrame(pane.own, session.frame, [](auto& own, auto& setting) {
-    if (own) std::swap(*own, setting);
+  visitFrame(pane.own, session.frame, [](auto& own, auto& value, PaneSetting) {
+    if (own) std::swap(*own, value);
   });
   if (!pane.own.parameters) return;
   ParameterValues values = parametersOf(session, pane.technique);

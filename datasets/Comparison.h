@@ -37,6 +37,9 @@ struct PaneSettings {
   bool operator==(const PaneSettings&) const = default;
 };
 
+// Which of them.
+enum class PaneSetting { Parameters, Kernel, Read, Format, MapSize, Samples, Cascades, Bias };
+
 struct Pane {
   std::string technique;
   // Of the active pane the same ones are set, but their values are what the others share, since
@@ -63,16 +66,16 @@ std::string_view nameOf(ComparisonMode mode);
 // begins with: a file and key.
 ComparisonMode comparisonModeFrom(std::string_view name, std::string_view where);
 
-// Calls `visit(own, setting)` for every setting of a frame that a pane may have of its own.
+// Calls `visit(own, value, setting)` for every setting of a frame that a pane may have of its own.
 template <class Settings, class Frame, class Visit>
 void visitFrame(Settings& own, Frame& frame, Visit visit) {
-  visit(own.kernel, frame.kernel);
-  visit(own.read, frame.read);
-  visit(own.format, frame.map.format);
-  visit(own.mapSize, frame.map.size);
-  visit(own.samples, frame.map.samples);
-  visit(own.cascades, frame.map.cascades);
-  visit(own.bias, frame.bias);
+  visit(own.kernel, frame.kernel, PaneSetting::Kernel);
+  visit(own.read, frame.read, PaneSetting::Read);
+  visit(own.format, frame.map.format, PaneSetting::Format);
+  visit(own.mapSize, frame.map.size, PaneSetting::MapSize);
+  visit(own.samples, frame.map.samples, PaneSetting::Samples);
+  visit(own.cascades, frame.map.cascades, PaneSetting::Cascades);
+  visit(own.bias, frame.bias, PaneSetting::Bias);
 }
 
 // Panes that share every setting.

@@ -6,15 +6,11 @@
 namespace umbra {
 namespace {
 
-constexpr int firstOfFrame = int(PaneSetting::Kernel);  // PaneSetting goes on as visitFrame() does
-
 // Calls `visit(own, value, setting)` for every setting; `values` are the session's for the pane.
 template <class Visit>
 void visitAll(PaneSettings& own, const Session& values, const std::string& technique, Visit visit) {
   visit(own.parameters, parametersOf(values, technique), PaneSetting::Parameters);
-  int place = firstOfFrame;
-  visitFrame(own, values.frame,
-             [&](auto& held, const auto& value) { visit(held, value, PaneSetting(place++)); });
+  visitFrame(own, values.frame, visit);
 }
 
 // While `change` is at work, the session is what the panes share and own settings are in every
@@ -58,10 +54,9 @@ void insertBeside(Comparison& comparison, std::size_t pane, Pane copy) {
 bool hasOwn(const Pane& pane, PaneSetting setting) {
   if (setting == PaneSetting::Parameters) return pane.own.parameters.has_value();
   bool found = false;
-  int place = firstOfFrame;
   const FrameSettings none;
-  visitFrame(pane.own, none, [&](const auto& own, const auto&) {
-    found = found || (PaneSetting(place++) == setting && own.has_value());
+  visitFrame(pane.own, none, [&](const auto& own, const auto&, PaneSetting which) {
+    found = found || (which == setting && own.has_value());
   });
   return found;
 }

@@ -5,9 +5,6 @@
 
 namespace umbra {
 
-// What a pane may have of its own, one by one: see PaneSettings.
-enum class PaneSetting { Parameters, Kernel, Read, Format, MapSize, Samples, Cascades, Bias };
-
 bool hasOwn(const Pane& pane, PaneSetting setting);
 // A setting becomes the pane's own as it is; one that is its own no longer becomes what the other
 // panes share.

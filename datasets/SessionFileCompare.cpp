@@ -1,8 +1,8 @@
 #include "datasets/SessionFileCompare.h"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
+#include <string>
+#include <vector>
 
 #include "datasets/SessionFileFrame.h"
 #include "datasets/SessionFileParameters.h"
@@ -14,15 +14,28 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-// Of the keys of frameJson(), those of one setting, in the order of visitFrame().
-using Keys = std::array<std::string_view, 3>;
-constexpr std::array<Keys, 7> frameKeys{{{"kernel"},
-                                         {"filter", "anisotropy", "sat"},
-                                         {"format"},
-                                         {"mapSize"},
-                                         {"msaa"},
-                                         {"cascades"},
-                                         {"bias"}}};
+// Of the keys of frameJson(), those of one setting.
+std::vector<std::string> frameKeys(PaneSetting setting) {
+  switch (setting) {
+    case PaneSetting::Kernel:
+      return {"kernel"};
+    case PaneSetting::Read:
+      return {"filter", "anisotropy", "sat"};
+    case PaneSetting::Format:
+      return {"format"};
+    case PaneSetting::MapSize:
+      return {"mapSize"};
+    case PaneSetting::Samples:
+      return {"msaa"};
+    case PaneSetting::Cascades:
+      return {"cascades"};
+    case PaneSetting::Bias:
+      return {"bias"};
+    case PaneSetting::Parameters:  // are no part of the frame
+      break;
+  }
+  return {};
+}
 
 [[noreturn]] void refuse(const std::string& where, const std::string& why) {
   throw Error(ErrorKind::BadInput, where + ": " + why);
@@ -46,14 +59,13 @@ Json paneJson(const Pane& pane, bool active) {
   if (active) json["active"] = true;
   if (pane.own.parameters) json["parameters"] = toJson(*pane.own.parameters);
   FrameSettings frame;
-  visitFrame(pane.own, frame, [](const auto& own, auto& setting) {
-    if (own) setting = *own;
+  visitFrame(pane.own, frame, [](const auto& own, auto& value, PaneSetting) {
+    if (own) value = *own;
   });
   const Json all = frameJson(frame);
-  auto keys = frameKeys.begin();
-  visitFrame(pane.own, frame, [&](const auto& own, const auto&) {
-    for (const std::string_view key : *keys++)
-      if (own && !key.empty()) json[std::string(key)] = all.at(std::string(key));
+  visitFrame(pane.own, frame, [&](const auto& own, const auto&, PaneSetting setting) {
+    if (!own) return;
+    for (const std::string& key : frameKeys(setting)) json[key] = all.at(key);
   });
   return json;
 }
@@ -74,10 +86,9 @@ Pane paneFrom(const Json& value, const std::string& where, const FrameSettings& 
   if (value.contains("cascades")) frame.map.cascades.frozen.reset();  // absent means so
   readMapAndReads(object, frame);
   object.finish();
-  auto keys = frameKeys.begin();
-  visitFrame(pane.own, frame, [&](auto& own, const auto& setting) {
-    for (const std::string_view key : *keys++)
-      if (value.contains(std::string(key))) own = setting;
+  visitFrame(pane.own, frame, [&](auto& own, const auto& read, PaneSetting setting) {
+    for (const std::string& key : frameKeys(setting))
+      if (value.contains(key)) own = read;
   });
   return pane;
 }
