@@ -125,7 +125,7 @@ void readPanes(JsonObject& object, const Session& session, Comparison& compariso
 }  // namespace
 
 void takeApart(Session& session) {
-  if (isList(session.comparison.panes)) return;
+  if (session.comparison.panes.empty()) return;
   session.comparison = comparisonOf(session);
   exchangeActive(session);
 }

@@ -52,6 +52,34 @@ TEST(SessionFileCompare, SettingsOfPanesSurvive) {
   EXPECT_EQ(sessionFromText(sessionToText(fresh), "s.json"), fresh);
 }
 
+TEST(SessionFileCompare, EverySettingOfAPaneSurvivesByItself) {
+  for (int i = 0; i <= int(PaneSetting::Bias); ++i)
+    for (const std::size_t pane : {0u, 1u}) {
+      Session session = unusualSession();
+      setOwn(session, pane, PaneSetting(i), true);
+      const Session read = sessionFromText(sessionToText(session), "s.json");
+      EXPECT_EQ(read, session) << i;
+      EXPECT_TRUE(hasOwn(read.comparison.panes[pane], PaneSetting(i))) << i;
+    }
+}
+
+// Of a list the file says which pane is active by the session's technique alone.
+TEST(SessionFileCompare, ATechniqueChosenBesideTheListStandsWhereTheActivePaneWas) {
+  Session session = unusualSession();
+  session.technique = "lvsm";
+  session.comparison = {ComparisonMode::Grid, linkedPanes({"vsm", "lvsm", "evsm4", "msm"}), 1,
+                        0.375};
+  setMode(session, ComparisonMode::Single);
+  chooseTechnique(session, "csm");
+  Session read = sessionFromText(sessionToText(session), "s.json");
+  EXPECT_EQ(read.technique, "csm");
+  EXPECT_EQ(read.comparison.active, 1u);
+  EXPECT_EQ(comparisonOf(read), comparisonOf(session));
+  for (Session* each : {&session, &read}) setMode(*each, ComparisonMode::Grid);
+  EXPECT_EQ(read, session);
+  EXPECT_EQ(read.comparison.panes, linkedPanes({"vsm", "csm", "evsm4", "msm"}));
+}
+
 TEST(SessionFileCompare, AFileHasWhatPanesShareAndWhatIsTheirOwn) {
   const auto json = toJson(comparingSettings());
   EXPECT_EQ(json.at("frame").at("kernel").at("radius"), 7);
