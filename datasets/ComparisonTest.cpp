@@ -261,6 +261,40 @@ TEST(Comparison, ThereAreNeverMoreThanSixPanes) {
   }
 }
 
+TEST(Comparison, OnePicturesDuplicateStandsBesideWhatWasSet) {
+  Session session = comparing(ComparisonMode::Grid, {"vsm", "lvsm", "msm"}, "msm");
+  for (const std::size_t pane : {0u, 2u}) setOwn(session, pane, PaneSetting::Kernel, true);
+  activatePane(session, 0);
+  session.frame.kernel.radius = 9;
+  activatePane(session, 2);
+  setMode(session, ComparisonMode::Single);
+  duplicatePane(session, 2);
+  EXPECT_EQ(session.comparison.mode, ComparisonMode::Grid);
+  EXPECT_EQ(idsOf(session), (Ids{"vsm", "msm", "msm"}));
+  EXPECT_EQ(activeOf(session), 2u);
+  EXPECT_EQ(radiusOf(session, 0), 9);
+}
+
+TEST(Comparison, AClosedSideLeavesThePanesBehindAWipe) {
+  Session session = comparing(ComparisonMode::Grid, {"vsm", "msm", "esm", "pcf"}, "esm");
+  setOwn(session, 2, PaneSetting::Kernel, true);
+  session.frame.kernel.radius = 12;
+  for (const std::size_t closed : {0u, 1u})
+    for (const std::size_t active : {0u, 1u}) {
+      Session wipe = activated(session, active);
+      setMode(wipe, ComparisonMode::Wipe);
+      closePane(wipe, closed);
+      EXPECT_EQ(wipe.comparison.mode, ComparisonMode::Single);
+      const char* const left = closed == 0 ? "msm" : "vsm";
+      EXPECT_EQ(wipe.technique, left);
+      EXPECT_EQ(wipe.frame.kernel.radius, Kernel{}.radius);
+      setMode(wipe, ComparisonMode::Grid);
+      EXPECT_EQ(idsOf(wipe), (Ids{left, "esm", "pcf"}));
+      EXPECT_EQ(activeOf(wipe), 0u);
+      EXPECT_EQ(radiusOf(wipe, 1), 12);
+    }
+}
+
 TEST(Comparison, AClosedPaneLeavesTheOthersAsTheyAre) {
   Session session = comparing(ComparisonMode::Grid, {"vsm", "msm"}, "vsm");
   duplicatePane(session, 0);

@@ -31,13 +31,22 @@ Pane detached(const Session& shown) {
   return pane;
 }
 
+// Takes away the panes with nothing of their own but for `pane`, which goes on meaning the same
+// one.
+void leaveSet(std::vector<Pane>& panes, std::size_t& pane) {
+  for (std::size_t i = panes.size(); i-- > 0;) {
+    if (i == pane || !panes[i].linked()) continue;
+    panes.erase(panes.begin() + std::ptrdiff_t(i));
+    pane -= pane > i;
+  }
+}
+
 // To be done while the settings are shared.
 void insertBeside(Comparison& comparison, std::size_t pane, Pane copy) {
   std::vector<Pane>& panes = comparison.panes;
   if (comparison.mode == ComparisonMode::Single) {
-    panes = {panes[pane]};
+    leaveSet(panes, pane);
     comparison.mode = ComparisonMode::Grid;
-    pane = 0;
   }
   if (panes.size() == Comparison::most) {
     const std::size_t last = panes.size() - 1 - (pane == panes.size() - 1);
@@ -103,7 +112,8 @@ void closePane(Session& session, std::size_t pane) {
   const std::size_t beside = pane == 0 ? 1 : pane - 1;
   if (session.comparison.active == pane) activatePane(session, beside);
   Comparison& comparison = session.comparison;
-  if (shownPanes(comparison) <= Comparison::fewest) {
+  if (comparison.mode == ComparisonMode::Wipe) setMode(session, ComparisonMode::Single);
+  if (comparison.panes.size() <= Comparison::fewest) {
     // What the other one is drawn with, is the session's.
     const double wipe = comparison.wipe;
     comparison = Comparison{};
