@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include "analysis/ManyReads.h"
 #include "analysis/Metrics.h"
@@ -82,8 +83,10 @@ Reads gather(const SurfaceMesh& mesh, const SurfaceSubject& subject) {
   return result;
 }
 
-MeshField& addField(std::vector<MeshField>& fields, const char* name, std::size_t size) {
-  return fields.emplace_back(MeshField{name, std::vector<float>(size, 0.0f)});
+std::vector<MeshField> fieldsOf(std::initializer_list<const char*> names, std::size_t size) {
+  std::vector<MeshField> fields;
+  for (const char* name : names) fields.push_back({name, std::vector<float>(size, 0.0f)});
+  return fields;
 }
 
 FieldMesh fieldMeshOf(const SurfaceMesh& mesh, const Scene& scene) {
@@ -100,12 +103,10 @@ FieldMesh fieldMeshOf(const SurfaceMesh& mesh, const Scene& scene) {
 std::size_t writeVertices(FieldMesh& mesh, const std::vector<Receives>& vertices,
                           const std::vector<ReadVisibility>& results) {
   const std::size_t count = vertices.size();
-  mesh.vertexFields.reserve(5);
-  MeshField& visibility = addField(mesh.vertexFields, "visibility", count);
-  MeshField& reference = addField(mesh.vertexFields, "reference", count);
-  MeshField& error = addField(mesh.vertexFields, "error", count);
-  MeshField& bleeding = addField(mesh.vertexFields, "bleeding", count);
-  MeshField& receives = addField(mesh.vertexFields, "receives", count);
+  mesh.vertexFields = fieldsOf({"visibility", "reference", "error", "bleeding", "receives"}, count);
+  const auto at = [&](std::size_t field) -> MeshField& { return mesh.vertexFields[field]; };
+  MeshField &visibility = at(0), &reference = at(1), &error = at(2), &bleeding = at(3),
+            &receives = at(4);
   std::size_t next = 0;
   for (std::size_t i = 0; i < count; ++i) {
     if (vertices[i] == Receives::OffMap) visibility.values[i] = reference.values[i] = 1.0f;
@@ -146,12 +147,7 @@ void finish(SurfaceSums& sums) {
 class FaceWriter {
  public:
   FaceWriter(const SurfaceMesh& mesh, SurfaceErrors& errors) : mesh_(mesh), errors_(errors) {
-    errors.mesh.faceFields.reserve(4);
-    const std::size_t count = mesh.faces.size();
-    error_ = &addField(errors.mesh.faceFields, "error", count);
-    bleeding_ = &addField(errors.mesh.faceFields, "bleeding", count);
-    receives_ = &addField(errors.mesh.faceFields, "receives", count);
-    area_ = &addField(errors.mesh.faceFields, "area", count);
+    errors.mesh.faceFields = fieldsOf({"error", "bleeding", "receives", "area"}, mesh.faces.size());
     for (const std::string& name : errors.mesh.objectNames) {
       errors.summary.objects.emplace_back();
       errors.summary.objects.back().name = name;
@@ -161,10 +157,11 @@ class FaceWriter {
   void write(std::size_t number, const FaceSums& sums) {
     const SurfaceFace& face = mesh_.faces[number];
     const double area = 0.5 * normalOf(mesh_, face).norm();
-    error_->values[number] = float(sums.error / pointsOfFace);
-    bleeding_->values[number] = float(sums.bleeding / pointsOfFace);
-    receives_->values[number] = float(sums.receiving) / pointsOfFace;
-    area_->values[number] = float(area);
+    std::vector<MeshField>& fields = errors_.mesh.faceFields;
+    fields[0].values[number] = float(sums.error / pointsOfFace);
+    fields[1].values[number] = float(sums.bleeding / pointsOfFace);
+    fields[2].values[number] = float(sums.receiving) / pointsOfFace;
+    fields[3].values[number] = float(area);
     addTo(errors_.summary.objects[face.object], sums, area);
     addTo(errors_.summary.all, sums, area);
   }
@@ -172,7 +169,6 @@ class FaceWriter {
  private:
   const SurfaceMesh& mesh_;
   SurfaceErrors& errors_;
-  MeshField *error_, *bleeding_, *receives_, *area_;
 };
 
 void writeFaces(SurfaceErrors& errors, const SurfaceMesh& mesh, const std::vector<Receives>& points,
