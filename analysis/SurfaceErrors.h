@@ -29,7 +29,9 @@ struct WorstPlace {
 };
 
 // Areas are in square world units, of surfaces that face the light and lie inside its map: only
-// these receive shadow.
+// these receive shadow. Nobody looks whether they can be seen: what faces the light inside another
+// body, such as the part of a floor under a foot that stands on it, receives and bleeds as the rest
+// does. The catalogue's ground has a hole where its paving is set in.
 struct SurfaceSums {
   std::string name;                 // of the object
   std::size_t faces = 0;            // all of them

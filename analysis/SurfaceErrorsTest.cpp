@@ -6,6 +6,7 @@
 
 #include "analysis/Metrics.h"
 #include "analysis/PlanesForm.h"
+#include "datasets/SceneCatalogue.h"
 #include "filters/core/TechniqueCatalogue.h"
 
 namespace umbra {
@@ -217,6 +218,39 @@ TEST(SurfaceErrors, OnlyWhatTheLightReachesReceives) {
     EXPECT_EQ(receives[i], 0.0f);
     EXPECT_EQ(visibility[i], 1.0f);
   }
+}
+
+// The tree's wide ground ends at the paving that is set into it: under there it would be in shadow
+// all over, and what bleeds there nobody sees.
+TEST(SurfaceErrors, TheGroundReceivesNothingUnderThePaving) {
+  const Scene scene = makeScene("tree-bench");
+  const LightFrame light = fitLightFrame(scene.light, scene.lightBounds());
+  const DepthMap map(mapSize, mapSize, 1, 1.0);
+  const auto technique = allTechniques().make("vsm");
+  FrameSettings settings;
+  settings.map.size = mapSize;
+  const FieldMesh mesh =
+      surfaceErrors(surfaceMeshOf(scene, light, mapSize), {scene, light, map, settings, *technique})
+          .mesh;
+  const auto object = [&](const char* name) {
+    return std::uint32_t(std::ranges::find(mesh.objectNames, name) - mesh.objectNames.begin());
+  };
+  const std::uint32_t ground = object("ground"), paving = object("paving");
+  ASSERT_LT(std::max(ground, paving), scene.objects.size());
+  const Eigen::AlignedBox3d set = scene.objects[paving].mesh.bounds();
+  const auto& receives = fieldOf(mesh.faceFields, "receives");
+  std::size_t beside = 0, under = 0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (mesh.objects[i] != ground || receives[i] == 0.0f) continue;
+    Vector3d centre = Vector3d::Zero();
+    for (std::uint32_t corner : mesh.triangles[i])
+      centre += mesh.positions[corner].cast<double>() / 3.0;
+    const bool inside = centre.x() > set.min().x() && centre.x() < set.max().x() &&
+                        centre.z() > set.min().z() && centre.z() < set.max().z();
+    (inside ? under : beside) += 1;
+  }
+  EXPECT_GT(beside, 0u);
+  EXPECT_EQ(under, 0u);
 }
 
 TEST(SurfaceErrors, SettingsThatFollowAPictureAreRefused) {

@@ -8,6 +8,7 @@
 #include <limits>
 #include <set>
 
+#include "filters/core/ClosedBody.h"
 #include "filters/core/Error.h"
 
 namespace umbra {
@@ -102,6 +103,33 @@ TEST_P(EveryScene, IsSeenFromOutsideItsBodies) {
   }
   const Eigen::Vector3d aim = scene.camera.target;
   EXPECT_TRUE(bounds.contains(aim)) << "the camera looks past the scene";
+}
+
+// Solid, to the horizon, and with its hole exactly as wide as the paving.
+TEST_P(EveryScene, HasItsPavingSetIntoItsGround) {
+  const Scene scene = makeScene(GetParam().name);
+  const auto named = [&](const char* name) {
+    return std::ranges::find(scene.objects, name, &SceneObject::name);
+  };
+  const auto paving = named("paving"), ground = named("ground");
+  if (paving == scene.objects.end()) return;  // of planes only
+  ASSERT_NE(ground, scene.objects.end());
+  EXPECT_TRUE(isClosedBody(ground->mesh));
+  EXPECT_TRUE(isClosedBody(paving->mesh));
+  const Eigen::AlignedBox3d set = paving->mesh.bounds(), wide = ground->mesh.bounds();
+  EXPECT_LT(wide.max().y(), set.max().y());
+  EXPECT_GT(wide.max().y(), set.min().y());
+  // Of floats up to 64: each end is rounded by up to 2^-19.
+  EXPECT_NEAR(wide.sizes().x(), 120.0, 0x1p-18);
+  EXPECT_NEAR(wide.sizes().z(), 120.0, 0x1p-18);
+  Eigen::AlignedBox3d hole;
+  for (const Eigen::Vector3f& p : ground->mesh.positions)
+    if (p.y() == float(wide.max().y()) && (p.cast<double>() - wide.center()).norm() < 20.0)
+      hole.extend(p.cast<double>());
+  EXPECT_EQ(hole.min().x(), set.min().x());
+  EXPECT_EQ(hole.max().x(), set.max().x());
+  EXPECT_EQ(hole.min().z(), set.min().z());
+  EXPECT_EQ(hole.max().z(), set.max().z());
 }
 
 // Casters outside the light's frame would throw no shadow.
