@@ -41,6 +41,10 @@ struct RenderCommand {
   std::vector<std::shared_ptr<Technique>> techniques(const Session& session,
                                                      const TechniqueChoice& unnamed) const;
   bool named() const { return !options.techniques(catalogue, {}).ids.empty(); }
+  // Whether panes are drawn: techniques on the command line are compared instead.
+  bool compares(const Session& session) const {
+    return !named() && session.comparison.mode != ComparisonMode::Single;
+  }
   std::vector<Drawing> drawings(const Session& session) const;
   std::vector<Drawing> panes(const Session& session) const;
 };
@@ -53,6 +57,11 @@ void wipe(Image<std::uint8_t>& left, const Image<std::uint8_t>& right, double at
       for (int c = 0; c < 3; ++c) left(x, y, c) = right(x, y, c);
 }
 
+std::string nameOfPane(const Technique& technique, const std::string& label) {
+  const std::string title(technique.info().title);
+  return label.empty() ? title : title + " · " + label;
+}
+
 RenderCommand::RenderCommand(CLI::App& command) {
   command.add_option("-o,--output", output, "Picture, or its layers as floats")
       ->type_name("FILE.png|FILE.exr")
@@ -60,9 +69,9 @@ RenderCommand::RenderCommand(CLI::App& command) {
   command.footer(
       "Several techniques are drawn side by side in a PNG, as are the panes of a session that\n"
       "compares; a session's wipe is one picture of two. An EXR has R, G, B of the first, per\n"
-      "pixel u, v (in the map; u < 0 without a surface), receiver (negative where the surface "
-      "faces\n"
-      "away from the light) and reference, and TECHNIQUE.R .G .B .visibility .error for each.");
+      "pixel u, v (in the map; u < 0 without a surface), receiver (negative where the surface\n"
+      "faces away from the light) and reference, and TECHNIQUE.R .G .B .visibility .error for\n"
+      "each; of a session's panes it has the active one only.");
   options.addTo(command);
 }
 
@@ -72,7 +81,7 @@ std::vector<std::shared_ptr<Technique>> RenderCommand::techniques(
 }
 
 std::vector<Drawing> RenderCommand::drawings(const Session& session) const {
-  if (!named() && session.comparison.mode != ComparisonMode::Single) return panes(session);
+  if (compares(session)) return panes(session);
   std::vector<Drawing> drawings;
   for (auto& technique : techniques(session, {{session.technique}}))
     drawings.push_back({session, technique, std::string(technique->info().title)});
@@ -95,8 +104,7 @@ std::vector<Drawing> RenderCommand::panes(const Session& session) const {
       continue;
     }
     const auto technique = makeTechniques(pane, catalogue, {{pane.technique}}).front();
-    const std::string title(technique->info().title);
-    drawings.push_back({pane, technique, labels[i].empty() ? title : title + " · " + labels[i]});
+    drawings.push_back({pane, technique, nameOfPane(*technique, labels[i])});
   }
   return drawings;
 }
@@ -135,7 +143,7 @@ void RenderCommand::renderPicture(const Session& session) const {
     frame->render(*drawing.technique, settings.view);
     pictures.push_back({drawing.label, frame->colour()});
   }
-  if (!named() && session.comparison.mode == ComparisonMode::Wipe) {
+  if (compares(session) && session.comparison.mode == ComparisonMode::Wipe) {
     wipe(pictures.front().colour, pictures.back().colour, session.comparison.wipe);
     pictures.pop_back();
   }
@@ -145,6 +153,12 @@ void RenderCommand::renderPicture(const Session& session) const {
 
 void RenderCommand::renderLayers(const Session& session) const {
   const auto chosen = techniques(session, {{session.technique}});
+  if (compares(session)) {
+    const std::vector<std::string> labels = paneLabels(session, catalogue);
+    spdlog::warn("an EXR has one pane: {}, the active one of the {} that the session compares",
+                 nameOfPane(*chosen.front(), labels.at(comparisonOf(session).active)),
+                 labels.size());
+  }
   const auto scene = std::make_shared<const Scene>(loadScene(session.source));
   const std::unique_ptr<Display> display = loadDisplay();
   const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);

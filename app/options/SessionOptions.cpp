@@ -213,7 +213,7 @@ TechniqueChoice SessionOptions::techniques(const TechniqueCatalogue& catalogue,
 void SessionOptions::editTechniques(Session& session, const TechniqueCatalogue& catalogue) const {
   // One of all is no choice: the session's own stays the one to look at.
   const TechniqueChoice choice = techniques(catalogue, {{session.technique}});
-  if (!choice.all) session.technique = choice.ids.front();
+  if (!choice.all) chooseTechnique(session, choice.ids.front());
   for (const std::string& setting : settings_) {
     const auto [name, text] = assignmentFrom(setting, "--set");
     const std::size_t dot = name.find('.');

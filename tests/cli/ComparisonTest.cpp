@@ -6,6 +6,7 @@
 
 #include "tests/cli/PictureDifference.h"
 #include "tests/cli/Process.h"
+#include "tests/cli/SmallMap.h"
 
 namespace umbra::cli {
 namespace {
@@ -64,6 +65,53 @@ TEST(ComparedPicture, PanesAreDrawnBesideEachOther) {
   EXPECT_LT(sheet.width(), 4 * width);
   EXPECT_GE(sheet.height(), height);
   EXPECT_EQ(drawn(R"({"mode": "single"})").size(), QSize(width, height));
+}
+
+TEST(ComparedPicture, OfPanesLayersAreTheActiveOnesWhichIsSaid) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.file("s.json"))
+      << R"({"format": "umbrascope-session/1", "source": {"scene": "three-planes"},
+             "frame": {"mapSize": 64}, "size": [32, 24], "technique": "vsm",
+             "compare": {"mode": "wipe", "panes": [{"technique": "vsm"},
+               {"technique": "vsm", "active": true, "kernel": {"radius": 9}},
+               {"technique": "msm"}]}})";
+  const auto said = [&](const Arguments& more) {
+    Arguments arguments{"render", "--session", folder.file("s.json"), "-o"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return outcome.err;
+  };
+  const std::string layers = said({folder.file("p.exr")});
+  EXPECT_NE(layers.find("Variance (VSM) · radius 9, the active one of the 2 that"),
+            std::string::npos)
+      << layers;
+  EXPECT_EQ(layers.find("an EXR has"), layers.rfind("an EXR has"));
+  for (const Arguments& more :
+       {Arguments{folder.file("p.png")}, Arguments{folder.file("p.exr"), "--technique", "vsm"}})
+    EXPECT_EQ(said(more).find("an EXR has"), std::string::npos);
+}
+
+// A pane's parameters are those of its technique: as in the window, another one there leaves the
+// first as the other panes share it.
+TEST(ComparedProbe, AnotherTechniqueLeavesWhatThePanesShareOfTheFirst) {
+  const TemporaryFolder folder;
+  writeMap(folder.file("m.exr"), smallMap());
+  const auto vsm = [&](const std::string& active, const std::string& techniques) {
+    std::ofstream(folder.file("s.json"))
+        << R"({"format": "umbrascope-session/1", "source": {"depth": "m.exr"}, "technique": "vsm",
+               "parameters": {"vsm": {"bleed-reduction": 0.1}},
+               "compare": {"mode": "grid", "panes": [{"technique": "vsm"}, {"technique": "vsm", )"
+        << active << R"("parameters": {"bleed-reduction": 0.3}}]}})";
+    const Json json = run({"probe", "--session", folder.file("s.json"), "--texel", "8,9",
+                           "--receiver", "0.7", "--technique", techniques, "--json"})
+                          .json();
+    return json["techniques"].back();
+  };
+  const std::string active = R"("active": true, )";
+  const Json shared = vsm("", "vsm");
+  EXPECT_NE(vsm(active, "vsm"), shared);
+  EXPECT_EQ(vsm(active, "lvsm,vsm"), shared);
 }
 
 }  // namespace
