@@ -1,6 +1,8 @@
 #include "app/options/SessionOptions.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 #include "app/SceneSources.h"
 #include "app/options/OptionValues.h"
@@ -10,6 +12,20 @@
 #include "filters/core/Text.h"
 
 namespace umbra {
+namespace {
+
+// However the path of a file is written.
+bool sameSource(SceneSource a, SceneSource b) {
+  for (SceneSource* source : {&a, &b}) {
+    if (source->kind == SourceKind::Catalogue) continue;
+    std::error_code unreadable;  // leaves the name as it is
+    const auto path = std::filesystem::weakly_canonical(source->name, unreadable);
+    if (!unreadable) source->name = path.string();
+  }
+  return a == b;
+}
+
+}  // namespace
 
 void SessionOptions::addTo(CLI::App& command) {
   addInput(command);
@@ -159,6 +175,7 @@ void SessionOptions::editSource(Session& session) const {
     throw Error(ErrorKind::BadCommandLine, "--depth: excludes --scene, give one of them");
   if (scene_) refuseEmpty(*scene_, "--scene", "NAME or FILE");
   if (depth_) refuseEmpty(*depth_, "--depth", "FILE.exr[:CHANNEL]");
+  const SceneSource former = session.source;
   if (scene_) session.source = sceneSourceFrom(*scene_, "--scene");
   if (depth_) {
     session.source = {};
@@ -171,11 +188,11 @@ void SessionOptions::editSource(Session& session) const {
     std::tie(session.source.depthNear, session.source.depthFar) =
         depthRangeFrom(*depthRange_, "--depth-range");
   }
-  if (scene_ || depth_) {  // places of the source that was
+  for (const std::string& setting : sceneSettings_) adjustScene(session.source, setting);
+  if ((scene_ || depth_) && !sameSource(session.source, former)) {  // places of another one
     session.probes.clear();
     session.keptProbe.clear();
   }
-  for (const std::string& setting : sceneSettings_) adjustScene(session.source, setting);
 }
 
 std::vector<std::string> idsOf(const TechniqueCatalogue& catalogue) {

@@ -199,6 +199,23 @@ TEST_F(NamedProbes, TexelsOfADepthMapAreProbedByName) {
   expectError(2, "--named: 24,4 is outside the map", probe(json, {"--named", "Outside"}));
 }
 
+TEST_F(NamedProbes, TheSameSceneOrFileNamedAgainKeepsThem) {
+  const Json spot = probed(session("two-planes", Json::array()), {"--pixel", "worst"});
+  const Json kept = session("two-planes", {{{"name", "Spot"}, {"point", spot["world"]}}});
+  EXPECT_EQ(probed(kept, {"--scene", "two-planes", "--named", "all"}),
+            probed(kept, {"--named", "all"}));
+  writeMap(folder.file("m.exr"), smallMap());
+  writeMap(folder.file("other.exr"), smallMap());
+  const Json onFile{{"format", "umbrascope-session/1"},
+                    {"source", {{"depth", "m.exr"}}},
+                    {"probes", {{{"name", "Edge"}, {"texel", {8, 9}}, {"receiver", 0.7}}}}};
+  const std::string again = (folder.path() / "." / "m.exr").string();
+  EXPECT_EQ(probed(onFile, {"--depth", again, "--named", "Edge"}),
+            probed(onFile, {"--named", "Edge"}));
+  expectError(2, "--named: the session keeps no probes",
+              probe(onFile, {"--depth", folder.file("other.exr"), "--named", "Edge"}));
+}
+
 TEST_F(NamedProbes, TheOneThatTheSessionIsAtNeedsNoName) {
   const Json spot = probed(session("two-planes", Json::array()), {"--pixel", "worst"});
   Json json = session("two-planes", {{{"name", "Spot"}, {"point", spot["world"]}}});
