@@ -27,8 +27,8 @@
 // the scene's own, "frozen" absent that the cascades follow the camera.
 // A saved session has "compare" once something was compared, "probes" once one was kept, and
 // "keptProbe" while "probe" is at one of them. A pane may have of its own what "parameters" has for
-// its technique and what "frame" has, but "view"; "parameters" and "frame" are what panes share. One
-// pane is active: the first of the session's technique where none says so.
+// its technique and what "frame" has, but "view"; "parameters" and "frame" are what panes share.
+// One pane is active: the first of the session's technique where none says so.
 #pragma once
 
 #include <filesystem>

@@ -86,9 +86,9 @@ QString ControlPane::scope() const {
   if (!controller_.document().content.scene || shown < 2) return {};
   const Pane& active = comparison.panes[comparison.active];
   const auto sharesFrame = [](const Pane& pane) {
-    PaneSettings own = pane.own;
-    own.parameters.reset();
-    return own == PaneSettings{};
+    for (int i = 0; i <= int(PaneSetting::Bias); ++i)
+      if (PaneSetting(i) != PaneSetting::Parameters && hasOwn(pane, PaneSetting(i))) return false;
+    return true;
   };
   const auto end = comparison.panes.begin() + std::ptrdiff_t(shown);
   const auto sharing = std::count_if(comparison.panes.begin(), end, sharesFrame);
