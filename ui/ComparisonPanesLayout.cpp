@@ -59,6 +59,7 @@ void ComparisonPanes::labelHeaders() {
       paneLabels(controller_.session(), controller_.catalogue());
   const Comparison comparison = comparisonOf(controller_.session());
   for (std::size_t i = 0; i < shown_.size(); ++i) {
+    headers_[i]->setRefusals(controller_.refusals(shown_[i].session.frame));
     headers_[i]->setTechnique(style::text(shown_[i].session.technique));
     headers_[i]->setDifferences(style::text(labels[i]));
     headers_[i]->setActive(i == active_);

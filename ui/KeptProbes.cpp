@@ -43,7 +43,7 @@ KeptProbes::KeptProbes(SessionController& controller, SceneView& view, Prober& p
 }
 
 // Rows keep what was read of them under whatever name and in whatever place.
-void KeptProbes::sessionChanged(const Document&, const Document& after) {
+void KeptProbes::sessionChanged(const Document& before, const Document& after) {
   const std::vector<NamedProbe>& probes = after.session.probes;
   std::vector<Row> rows;
   std::vector<std::optional<HeldPoint>> held;
@@ -60,10 +60,15 @@ void KeptProbes::sessionChanged(const Document&, const Document& after) {
                    : probe.point ? std::optional(HeldPoint(*probe.point))
                                  : std::nullopt);
   }
+  const Session &old = before.session, &now = after.session;
+  const bool sameRows = std::equal(rows.begin(), rows.end(), rows_.begin(), rows_.end(),
+                                   [](const Row& a, const Row& b) { return a.probe == b.probe; });
   rows_ = std::move(rows);
   held_ = std::move(held);
-  next_ = 0;
-  start();
+  // What else they depend on, such as the light, makes another frame.
+  if (!sameRows || !(before.content == after.content) || !(old.frame == now.frame) ||
+      !(old.parameters == now.parameters))
+    start();
   emit changed();
 }
 

@@ -8,6 +8,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPixmap>
+#include <QStandardItemModel>
 #include <QToolButton>
 #include <string_view>
 
@@ -52,8 +53,9 @@ PaneHeader::PaneHeader(const std::vector<const Technique*>& techniques, QMenu& m
     const TechniqueInfo& info = technique->info();
     box_->addItem(chip(QColor(style::text(info.colour))), shortTitle(*technique),
                   style::text(info.id));
-    box_->setItemData(box_->count() - 1, style::text(info.title), Qt::ToolTipRole);
+    titles_ << style::text(info.title);
   }
+  setRefusals({});
   // Its text may be cut, so that six panes fit side by side on a small screen.
   box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   box_->setMinimumContentsLength(5);
@@ -106,6 +108,16 @@ void PaneHeader::place() {
 
 void PaneHeader::setTechnique(const QString& id) {
   box_->setCurrentIndex(box_->findData(id));
+}
+
+void PaneHeader::setRefusals(const QMap<QString, QString>& refusals) {
+  auto* items = qobject_cast<QStandardItemModel*>(box_->model());
+  for (int row = 0; row < items->rowCount(); ++row) {
+    QStandardItem* item = items->item(row);
+    const QString reason = refusals.value(item->data(Qt::UserRole).toString());
+    item->setEnabled(reason.isEmpty());
+    item->setToolTip(reason.isEmpty() ? titles_[row] : reason);
+  }
 }
 
 QString PaneHeader::technique() const {

@@ -2,6 +2,8 @@
 // error at the probe, and its menu.
 #pragma once
 
+#include <QMap>
+#include <QStringList>
 #include <QWidget>
 #include <optional>
 #include <vector>
@@ -30,6 +32,8 @@ class PaneHeader : public QWidget {
 
   void setTechnique(const QString& id);  // emits nothing
   QString technique() const;
+  // Why a technique cannot be chosen, by id; the others can.
+  void setRefusals(const QMap<QString, QString>& refusals);
   // "radius 12 · half"; empty where there are none.
   void setDifferences(const QString& text);
   QString differences() const;
@@ -56,6 +60,7 @@ class PaneHeader : public QWidget {
 
   QGridLayout* layout_;
   QComboBox* box_;
+  QStringList titles_;  // of its techniques
   ElidedLabel* differences_;
   QLabel* error_;
   QToolButton* menuButton_;

@@ -76,9 +76,13 @@ FrameSettings SessionController::readSettings() const {
 }
 
 QMap<QString, QString> SessionController::refusals() const {
+  return refusals(readSettings());
+}
+
+QMap<QString, QString> SessionController::refusals(const FrameSettings& frame) const {
   QMap<QString, QString> reasons;
   for (const auto& technique : techniques_) {
-    const std::string reason = whyImpossible(readSettings(), *technique);
+    const std::string reason = whyImpossible(frame, *technique);
     if (!reason.empty())
       reasons.insert(style::text(technique->info().id), QString::fromStdString(reason));
   }

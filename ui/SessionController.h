@@ -35,6 +35,7 @@ class SessionController : public QObject {
   // Of the techniques that the session's format, kernel or read cannot be composed with: why, by
   // id.
   QMap<QString, QString> refusals() const;
+  QMap<QString, QString> refusals(const FrameSettings& frame) const;  // with other settings
   // Of what is shown: one's own session, or a visited one.
   QUndoStack& undoStack() { return visiting() ? visitUndo_ : undo_; }
   QUndoGroup& history() { return history_; }

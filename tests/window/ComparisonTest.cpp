@@ -1,4 +1,5 @@
 // Techniques beside each other.
+#include <QComboBox>
 #include <QMouseEvent>
 #include <QTest>
 #include <cmath>
@@ -148,6 +149,11 @@ void WindowTest::whatAPaneCannotShowIsSaidThere() {
   QVERIFY(window.controller().refusals().contains("power-cdf"));
   QVERIFY(panes.picture(1).picture().isNull());
   QCOMPARE(panes.picture(1).message(), window.controller().refusals().value("power-cdf"));
+  // Nor is it offered where it cannot be.
+  const auto* box = panes.header(0).findChild<QComboBox*>();
+  const QModelIndex refused = box->model()->index(box->findData("power-cdf"), 0);
+  QVERIFY(!(refused.flags() & Qt::ItemIsEnabled));
+  QVERIFY(box->model()->index(box->findData("msm"), 0).flags() & Qt::ItemIsEnabled);
   // A pane that reads otherwise is refused nothing, and none because of it.
   window.controller().edit("Read otherwise", [](Session& s) {
     setOwn(s, 1, PaneSetting::Read, true);
