@@ -46,6 +46,9 @@ PaneHeader::PaneHeader(const std::vector<const Technique*>& techniques, QMenu& m
       error_(new QLabel),
       menuButton_(new QToolButton),
       menu_(menu) {
+  // Panes are equally wide whatever their labels say: else a label that is laid out for its width
+  // would change it, and those beside it.
+  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   layout_->setContentsMargins(margin, 3, margin, 3);
   layout_->setHorizontalSpacing(6);
   layout_->setVerticalSpacing(1);

@@ -122,6 +122,9 @@ void WindowTest::aClickedPaneIsTheSessions() {
   settlePanes();
   QCOMPARE(window.controller().session().technique, std::string("pcf"));
   QVERIFY(panes.shown() == techniques);
+  for (std::size_t i = 0; i < techniques.size();
+       ++i)  // of one width, but for its division by three
+    QVERIFY(std::abs(panes.header(i).width() - panes.header(0).width()) <= 1);
   QVERIFY(!panes.picture(1).isVisible());
   QVERIFY(panes.picture(0).isVisible());
   QCOMPARE(window.view().x(), panes.header(1).x());
