@@ -54,6 +54,7 @@ ComparisonPanes::ComparisonPanes(SessionController& controller, SceneView& view,
   connect(&prober_, &Prober::reported, this, [this] {
     refreshFigures();
     showPictures();
+    schedule();
   });
   arrange();
 }

@@ -96,7 +96,8 @@ void ComparisonPanes::showPictures() {
 }
 
 void ComparisonPanes::schedule() {
-  if (arranged_ == ComparisonMode::Single || view_.pixels().isEmpty() || outOfDate().empty())
+  if (mode() != arranged_ || arranged_ == ComparisonMode::Single || view_.pixels().isEmpty() ||
+      outOfDate().empty())
     return;
   std::vector<PictureSubject> wanted;
   for (std::size_t i = 0; i < shown_.size(); ++i) wanted.push_back(subject(i));
@@ -115,7 +116,8 @@ void ComparisonPanes::drawNext() {
   if (recent_.size() > kept) recent_.pop_back();
   refreshFigures();
   showPictures();
-  if (waiting.size() > 1) timer_.start(0);
+  // What became out of date while it was drawn has no frame of its own to wait for.
+  if (!outOfDate().empty()) timer_.start(waiting.size() > 1 ? 0 : rest);
 }
 
 ComparisonPanes::DrawnPicture ComparisonPanes::draw(std::size_t pane) {
