@@ -5,23 +5,27 @@
 
 namespace umbra {
 
-SurfaceRead readAt(const Image<float>& surfaces, const Image<float>& footprints, ReadFilter filter,
-                   int x, int y) {
+SurfacePoint surfaceAt(const Image<float>& surfaces, const Image<float>& footprints, int x, int y) {
   const auto values = surfaces.pixel(x, y);
-  SurfaceRead surface{{filter, values[0], values[1], {}}, std::abs(values[2])};
+  SurfacePoint surface;
+  surface.u = values[0];
+  surface.v = values[1];
+  surface.receiver = std::abs(values[2]);
+  surface.visibility = values[3];
+  surface.facesLight = values[2] > 0.0f;
   if (footprints.empty()) return surface;
   const auto footprint = footprints.pixel(x, y);
-  surface.read.footprint = {footprint[0], footprint[1], int(footprint[2])};
+  surface.footprint = {footprint[0], footprint[1], int(footprint[2])};
   surface.cascade = int(footprint[3]);
   surface.nextCascade = footprint[3] - float(surface.cascade);
   return surface;
 }
 
 ProbeRequest requestOf(const FrameSettings& settings, const std::vector<Cascade>& cascades,
-                       const MapOf& mapOf, const SurfaceRead& surface) {
+                       const MapOf& mapOf, const SurfacePoint& surface) {
   const int cascade = surface.cascade;
   ProbeRequest request{.map = mapOf(cascade),
-                       .read = surface.read,
+                       .read = {settings.read.filter, surface.u, surface.v, surface.footprint},
                        .kernel = settings.kernel,
                        .format = settings.map.format,
                        .receiver = surface.receiver,
@@ -38,7 +42,7 @@ ProbeRequest requestOf(const FrameSettings& settings, const std::vector<Cascade>
 ProbeRequest requestAt(const DrawnFrame& frame, int x, int y) {
   const auto mapOf = [&](int cascade) -> const DepthMap& { return *frame.maps[cascade]; };
   return requestOf(frame.settings, frame.cascades, mapOf,
-                   readAt(frame.surfaces, frame.footprints, frame.settings.read.filter, x, y));
+                   surfaceAt(frame.surfaces, frame.footprints, x, y));
 }
 
 double tapsOf(const DrawnFrame& frame, const std::function<bool(int x, int y)>& counts) {

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "analysis/Probe.h"
-#include "analysis/SurfaceRead.h"
 #include "filters/core/Cascades.h"
 #include "filters/core/FrameSettings.h"
 #include "filters/core/Image.h"
+#include "filters/core/SurfacePoint.h"
 
 namespace umbra {
 
@@ -21,16 +21,15 @@ struct DrawnFrame {
   std::vector<const DepthMap*> maps;  // of each cascade; they must outlive what refers to them
 };
 
-// What a pixel that shows a surface reads; both images as in DrawnFrame.
-SurfaceRead readAt(const Image<float>& surfaces, const Image<float>& footprints, ReadFilter filter,
-                   int x, int y);
+// Of a pixel that shows one, without its place in the world; both images as in DrawnFrame.
+SurfacePoint surfaceAt(const Image<float>& surfaces, const Image<float>& footprints, int x, int y);
 
 // A cascade's map; asked for only where it is read.
 using MapOf = std::function<const DepthMap&(int cascade)>;
 // A read in the format of a frame that was drawn with `settings`, without techniques. Refers to the
 // maps.
 ProbeRequest requestOf(const FrameSettings& settings, const std::vector<Cascade>& cascades,
-                       const MapOf& mapOf, const SurfaceRead& surface);
+                       const MapOf& mapOf, const SurfacePoint& surface);
 // That of a pixel which shows a surface.
 ProbeRequest requestAt(const DrawnFrame& frame, int x, int y);
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "filters/core/MipLevels.h"
+#include "filters/core/ReceiverBias.h"
 
 namespace umbra {
 namespace {
@@ -13,8 +14,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double largestSlopeBias = 0.1;  // of the depth range; as the shading pass limits it
-constexpr double nearest = 1e-6;          // cosines and distances below count as none
+constexpr double nearest = 1e-6;  // cosines and distances below count as none
 
 struct CameraAxes {
   Vector3d right, up, forward;
@@ -27,25 +27,6 @@ CameraAxes axesOf(const PictureView& view) {
   const Vector3d right = forward.cross(camera.up).normalized();
   const double angle = camera.viewAngle * std::numbers::pi / 180.0;
   return {right, right.cross(forward), forward, 0.5 * view.height / std::tan(0.5 * angle)};
-}
-
-// How much deeper, in normalised depth, the plane through `point` lies one texel of the whole
-// light's map further along either axis; absolute values.
-Vector2d depthPerTexel(const Vector3d& point, const Vector3d& normal, const LightFrame& light,
-                       int mapSize) {
-  const Vector3d p = (light.worldToLight * point.homogeneous()).head<3>();
-  const Vector3d n = light.worldToLight.topLeftCorner<3, 3>() * normal;
-  const double perDistance = 1.0 / (light.farDistance - light.nearDistance);
-  const Vector2d step(2.0 / (mapSize * std::abs(light.lightToClip(0, 0))),
-                      2.0 / (mapSize * std::abs(light.lightToClip(1, 1))));
-  if (light.kind == LightKind::Directional)
-    return (n.head<2>() / n.z()).cwiseAbs().cwiseProduct(step) * perDistance;
-  // Distance along the ray q = (x, y, −1) is |q| (n·p) / (n·q): differentiated by x and y.
-  const Vector3d q = p / -p.z();
-  const double along = n.dot(q), ray = q.norm();
-  const Vector2d gradient =
-      n.dot(p) * (q.head<2>() / (ray * along) - ray * n.head<2>() / (along * along));
-  return gradient.cwiseAbs().cwiseProduct(step) * perDistance;
 }
 
 struct CascadePlace {
@@ -129,10 +110,10 @@ Footprint boxOf(const Vector2d& dx, const Vector2d& dy, double distance, const F
 
 // From the read's position to the farthest centre of the texels that it averages, `finer` being the
 // side of a cascade's texel in those of the coarsest that is read.
-Vector2d reachOf(const ReadPoint& read, const FrameSettings& settings, double finer) {
+Vector2d reachOf(const SurfacePoint& surface, const FrameSettings& settings, double finer) {
   const double kernel = settings.kernel.effectiveRadius();
-  const Vector2d size = finer * Vector2d(read.footprint.x, read.footprint.y);
-  switch (read.filter) {
+  const Vector2d size = finer * Vector2d(surface.footprint.x, surface.footprint.y);
+  switch (settings.read.filter) {
     case ReadFilter::Point:
       return Vector2d::Constant(kernel + 0.5);
     case ReadFilter::Bilinear:
@@ -143,12 +124,12 @@ Vector2d reachOf(const ReadPoint& read, const FrameSettings& settings, double fi
     case ReadFilter::Anisotropic:
       break;
   }
-  ReadPoint coarse = read;
-  coarse.footprint = {size.x(), size.y(), read.footprint.probes};
+  const int count = surface.footprint.probes;
+  const ReadPoint coarse{settings.read.filter, surface.u, surface.v, {size.x(), size.y(), count}};
   int level = 0;
   for (const LevelRead& each : levelReadsOf(coarse, settings.map.size, settings.map.size))
     level = std::max(level, each.level);
-  const double probes = 0.5 - 0.5 / read.footprint.probes;
+  const double probes = 0.5 - 0.5 / count;
   return (size.cwiseAbs() * probes).array() + kernel + 1.5 * std::ldexp(1.0, level) - 0.5;
 }
 
@@ -188,18 +169,20 @@ bool isShownAt(const PictureView& picture, const Vector3d& point, const Vector3d
   return (shown - point).norm() <= 0.01 * pixelSide(picture, point);
 }
 
-std::variant<SurfaceRead, Unreadable> readOfSurface(const SurfaceSpot& spot,
-                                                    const FrameView& frame) {
+std::variant<SurfacePoint, Unreadable> readOfSurface(const SurfaceSpot& spot,
+                                                     const FrameView& frame) {
   const auto& [point, normal, object, twoSided] = spot;
   const FrameSettings& settings = frame.settings;
   const LightPoint light = frame.light.project(point);
   const auto place = light.inside ? cascadeOf(point, light, frame) : std::nullopt;
   if (!place) return Unreadable::OutsideMap;
   const Cascade& own = frame.cascades[place->cascade];
-  SurfaceRead result;
+  SurfacePoint result;
+  result.world = point;
   result.cascade = place->cascade;
   result.nextCascade = place->next;
-  result.read = {settings.read.filter, own.u(light.u), own.v(light.v), {}};
+  result.u = own.u(light.u);
+  result.v = own.v(light.v);
 
   const ReadFilter filter = settings.read.filter;
   const bool summed = filter == ReadFilter::SummedArea;
@@ -209,20 +192,20 @@ std::variant<SurfaceRead, Unreadable> readOfSurface(const SurfaceSpot& spot,
   if (byPixel && !steps) return Unreadable::NotInSight;
   const auto [dx, dy] = steps.value_or(std::pair<Vector2d, Vector2d>{{0.0, 0.0}, {0.0, 0.0}});
   if (summed)
-    result.read.footprint = boxOf(dx, dy, (point - frame.picture.camera.position).norm(), frame);
+    result.footprint = boxOf(dx, dy, (point - frame.picture.camera.position).norm(), frame);
   else if (byPixel)
-    result.read.footprint = axisOf(dx, dy, settings);
+    result.footprint = axisOf(dx, dy, settings);
 
   // In a seam the receiver is one for both cascades, with the bias of the coarser.
   const double coarsest =
       place->next > 0.0 ? std::max(own.side, frame.cascades[place->cascade + 1].side) : own.side;
   Vector2d texels = Vector2d::Constant(settings.bias.slope);
-  if (settings.bias.receiverPlane) texels += reachOf(result.read, settings, own.side / coarsest);
+  if (settings.bias.receiverPlane) texels += reachOf(result, settings, own.side / coarsest);
   const double slope =
-      coarsest * texels.dot(depthPerTexel(point, normal, frame.light, settings.map.size));
+      coarsest * texels.dot(depthPerTexel(frame.light, settings.map.size, point, normal));
   // Written so that an exactly edge-on plane ends at the limit too.
   const double bias =
-      settings.bias.constant + (slope < largestSlopeBias ? slope : largestSlopeBias);
+      settings.bias.constant + (slope < ReceiverBias::largest ? slope : ReceiverBias::largest);
   result.receiver = std::clamp(light.z - bias, 0.0, 1.0);
   const Vector3d toLight = frame.light.kind == LightKind::Spot
                                ? Vector3d(frame.light.position - point)

@@ -11,7 +11,7 @@
 #include "filters/core/Camera.h"
 #include "filters/core/Cascades.h"
 #include "filters/core/FrameSettings.h"
-#include "filters/core/Region.h"
+#include "filters/core/SurfacePoint.h"
 
 namespace umbra {
 
@@ -34,22 +34,15 @@ struct FrameView {
   double extent = 0.0;  // the diagonal of what bounds the light, world units
 };
 
-struct SurfaceRead {
-  ReadPoint read;         // on the map of its cascade
-  double receiver = 0.0;  // z_r, biased, [0,1]
-  bool facesLight = true;
-  int cascade = 0;
-  double nextCascade = 0.0;  // weight of the next cascade in a seam, else 0
-};
-
 enum class Unreadable {
   OutsideMap,  // no part of the shadow map holds the point
   NotInSight,  // the read is as wide as the pixel, and the camera has none for the point
 };
 
-// As the shading pass reads it. A sheet is lit on the side that the camera sees.
-std::variant<SurfaceRead, Unreadable> readOfSurface(const SurfaceSpot& spot,
-                                                    const FrameView& frame);
+// As the shading pass reads it, without a visibility. A sheet is lit on the side that the camera
+// sees.
+std::variant<SurfacePoint, Unreadable> readOfSurface(const SurfaceSpot& spot,
+                                                     const FrameView& frame);
 
 // Whether the surface that a picture shows in the pixel of `point` is the one on which the point
 // lies, with that normal: no farther away than a plane reaches in a pixel and a depth may err.

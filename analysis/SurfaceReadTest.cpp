@@ -26,7 +26,7 @@ struct Setting {
     camera.target = point;
     settings.map.size = 512;
   }
-  std::variant<SurfaceRead, Unreadable> read(const Vector3d& normal, bool twoSided = false) {
+  std::variant<SurfacePoint, Unreadable> read(const Vector3d& normal, bool twoSided = false) {
     cascades = fitCascades(frame, camera, 4.0 / 3.0, room, settings.map);
     return readOfSurface({point, normal, 0, twoSided},
                          {{camera, 640, 480}, frame, cascades, settings, room.diagonal().norm()});
@@ -57,7 +57,7 @@ TEST(SurfaceRead, TheReceiverIsLoweredByThePlanesOwnSlope) {
     Setting setting(kind);
     setting.settings.kernel = {KernelShape::Box, 3};
     setting.settings.bias = {1e-3, 1.5, true, false};
-    const auto read = std::get<SurfaceRead>(setting.read(tilted));
+    const auto read = std::get<SurfacePoint>(setting.read(tilted));
     const LightPoint at = setting.frame.project(point);
     // A bilinear read reaches a texel beyond the kernel. Half the difference over two texels errs
     // by the third derivative, a part of (1/512)² of the gain; over a hundredth by its rounding,
@@ -65,22 +65,22 @@ TEST(SurfaceRead, TheReceiverIsLoweredByThePlanesOwnSlope) {
     const double gain = depthGain(setting.frame, tilted, 512, 0.01);
     EXPECT_GT(gain, 1e-5);
     EXPECT_NEAR(read.receiver, at.z - 1e-3 - (1.5 + 3.0 + 1.0) * gain, 1e-10);
-    EXPECT_NEAR(read.read.u, at.u, 1e-12);
-    EXPECT_NEAR(read.read.v, at.v, 1e-12);
+    EXPECT_NEAR(read.u, at.u, 1e-12);
+    EXPECT_NEAR(read.v, at.v, 1e-12);
     EXPECT_TRUE(read.facesLight);
-    EXPECT_FALSE(std::get<SurfaceRead>(setting.read(-tilted)).facesLight);
+    EXPECT_FALSE(std::get<SurfacePoint>(setting.read(-tilted)).facesLight);
     // A sheet has no inside: whichever way round its triangle is, the side in sight counts.
-    EXPECT_TRUE(std::get<SurfaceRead>(setting.read(tilted, true)).facesLight);
-    EXPECT_TRUE(std::get<SurfaceRead>(setting.read(-tilted, true)).facesLight);
+    EXPECT_TRUE(std::get<SurfacePoint>(setting.read(tilted, true)).facesLight);
+    EXPECT_TRUE(std::get<SurfacePoint>(setting.read(-tilted, true)).facesLight);
     setting.settings.bias = {0.0, 0.0, false, false};
-    EXPECT_NEAR(std::get<SurfaceRead>(setting.read(tilted)).receiver, at.z, 1e-12);
+    EXPECT_NEAR(std::get<SurfacePoint>(setting.read(tilted)).receiver, at.z, 1e-12);
   }
 }
 
 TEST(SurfaceRead, APlaneSeenEdgeOnIsLoweredByATenth) {
   Setting setting(LightKind::Directional, {0, 9, 1e-3});
   setting.settings.bias = {0.0, 1.0, false, false};
-  const auto read = std::get<SurfaceRead>(setting.read(Vector3d::UnitX()));
+  const auto read = std::get<SurfacePoint>(setting.read(Vector3d::UnitX()));
   EXPECT_NEAR(read.receiver, setting.frame.project(point).z - 0.1, 1e-12);
 }
 
@@ -89,30 +89,31 @@ TEST(SurfaceRead, AFootprintIsWhatThePixelCovers) {
   Setting setting(LightKind::Directional, {1e-6, 9, 0});
   setting.settings.read.filter = ReadFilter::Trilinear;
   setting.camera.position = point + Vector3d(0, 40, 1e-6);
-  const auto read = std::get<SurfaceRead>(setting.read(Vector3d::UnitY()));
+  const auto read = std::get<SurfacePoint>(setting.read(Vector3d::UnitY()));
   const double pixel = 40.0 * 2.0 * std::tan(15.0 * std::numbers::pi / 180.0) / 480;
   const double texel =
       (setting.frame.unproject(0.5 + 1.0 / 512, 0.5, 0.5) - setting.frame.unproject(0.5, 0.5, 0.5))
           .norm();
   EXPECT_GT(pixel / texel, 2.0);
   // Both views are turned against the axes by a millionth and less.
-  EXPECT_NEAR(std::hypot(read.read.footprint.x, read.read.footprint.y), pixel / texel, 1e-4);
-  EXPECT_EQ(read.read.footprint.probes, 1);
+  EXPECT_NEAR(std::hypot(read.footprint.x, read.footprint.y), pixel / texel, 1e-4);
+  EXPECT_EQ(read.footprint.probes, 1);
 
   setting.settings.read.filter = ReadFilter::SummedArea;
   setting.settings.kernel = {KernelShape::Box, 1};
   setting.settings.read.satSize = SatSize::Distance;
   setting.settings.read.satDistance = 100.0;
-  const auto box = std::get<SurfaceRead>(setting.read(Vector3d::UnitY()));
-  EXPECT_NEAR(box.read.footprint.x, 3.0 * 100.0 / 40.0, 1e-9);
+  const auto box = std::get<SurfacePoint>(setting.read(Vector3d::UnitY()));
+  EXPECT_NEAR(box.footprint.x, 3.0 * 100.0 / 40.0, 1e-9);
   setting.settings.read.satSize = SatSize::Fixed;
-  EXPECT_EQ(std::get<SurfaceRead>(setting.read(Vector3d::UnitY())).read.footprint.y, 3.0);
+  EXPECT_EQ(std::get<SurfacePoint>(setting.read(Vector3d::UnitY())).footprint.y, 3.0);
 }
 
 TEST(SurfaceRead, WhatCannotBeReadSaysWhy) {
   Setting behind(LightKind::Directional);
-  behind.camera.target = 2.0 * behind.camera.position - point;            // looks the other way
-  EXPECT_TRUE(std::holds_alternative<SurfaceRead>(behind.read(tilted)));  // a plain read needs none
+  behind.camera.target = 2.0 * behind.camera.position - point;  // looks the other way
+  EXPECT_TRUE(
+      std::holds_alternative<SurfacePoint>(behind.read(tilted)));  // a plain read needs none
   for (ReadFilter filter :
        {ReadFilter::Trilinear, ReadFilter::Anisotropic, ReadFilter::SummedArea}) {
     behind.settings.read.filter = filter;
@@ -139,11 +140,11 @@ TEST(SurfaceRead, CascadesFollowTheDistanceFromTheCamera) {
     cascades[1].farDistance = 10.0 * own;
     cascades[2].nearDistance = 10.0 * own;
     cascades[2].farDistance = 20.0 * own;
-    return std::get<SurfaceRead>(readOfSurface(
+    return std::get<SurfacePoint>(readOfSurface(
         {point, tilted},
         {{setting.camera, 640, 480}, setting.frame, cascades, setting.settings, 1.0}));
   };
-  const auto expect = [](const SurfaceRead& read, int cascade, double next) {
+  const auto expect = [](const SurfacePoint& read, int cascade, double next) {
     EXPECT_EQ(read.cascade, cascade);
     EXPECT_NEAR(read.nextCascade, next, 1e-9);
   };

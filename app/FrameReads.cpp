@@ -11,12 +11,7 @@ DrawnFrame drawnFrame(HeadlessFrame& frame, const FrameSettings& settings) {
 ProbeRequest requestAt(HeadlessFrame& frame, const FrameSettings& settings,
                        const SurfacePoint& surface) {
   const auto mapOf = [&](int cascade) -> const DepthMap& { return frame.depthMap(cascade); };
-  return requestOf(settings, frame.cascades(), mapOf,
-                   {{settings.read.filter, surface.u, surface.v, surface.footprint},
-                    surface.receiver,
-                    surface.facesLight,
-                    surface.cascade,
-                    surface.nextCascade});
+  return requestOf(settings, frame.cascades(), mapOf, surface);
 }
 
 }  // namespace umbra

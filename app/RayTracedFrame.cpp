@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
+#include "analysis/EveryCore.h"
 #include "analysis/ReceiverPixels.h"
-#include "app/EveryCore.h"
+#include "app/Cancellation.h"
 #include "app/FrameReads.h"
 
 namespace umbra {
@@ -32,14 +33,15 @@ RayTracedReference rayTracedReference(HeadlessFrame& frame, const Scene& scene,
   const int stride = strideFor(tapsOf(drawn, receives), mostTaps);
   RayTracedReference result{
       Image<float>(surfaces.width(), surfaces.height(), 1, RayTracedReference::absent), stride};
-  onEveryCore((surfaces.height() + stride - 1) / stride, [&](int row) {
+  const auto trace = [&](int row) {
     const int y = row * stride;
     for (int x = 0; x < surfaces.width(); x += stride) {
       if (!receives(x, y)) continue;
       const Probe probe = takeProbe(requestAt(drawn, x, y));
       result.visibility(x, y) = float(rays(probe.region, probe.receiver));
     }
-  });
+  };
+  onEveryCore((surfaces.height() + stride - 1) / stride, trace, [](int) { throwIfCancelled(); });
   return result;
 }
 

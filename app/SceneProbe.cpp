@@ -96,16 +96,8 @@ KeptPlace placeOf(HeadlessFrame& frame, const Scene& scene, const Session& sessi
             *why == Unreadable::OutsideMap
                 ? "outside the shadow map"
                 : "not in sight, and the filter reads as wide as a pixel"};
-  const auto& read = std::get<SurfaceRead>(found);
-  SurfacePoint surface;
-  surface.u = read.read.u;
-  surface.v = read.read.v;
-  surface.receiver = read.receiver;
-  surface.facesLight = read.facesLight;
+  SurfacePoint surface = std::get<SurfacePoint>(found);
   surface.world = point;
-  surface.footprint = read.read.footprint;
-  surface.cascade = read.cascade;
-  surface.nextCascade = read.nextCascade;
   return {{seen ? *pixel : Pixel{}, {surface}, !seen, true}, {}};
 }
 

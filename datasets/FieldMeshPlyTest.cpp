@@ -8,6 +8,7 @@
 #include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
+#include "datasets/FieldMeshSample.h"
 #include "datasets/MeshFile.h"
 #include "filters/core/Error.h"
 
@@ -18,22 +19,13 @@ namespace fs = std::filesystem;
 
 class FieldMeshPly : public testing::Test {
  protected:
-  FieldMeshPly() {
-    fs::create_directories(folder);
-    mesh.positions = {{0, 0, 0}, {1, 0, 0.25f}, {0, 1, 0}, {1, 1, 0}};
-    mesh.normals.assign(4, Eigen::Vector3f::UnitZ());
-    mesh.triangles = {{0, 1, 2}, {2, 1, 3}};
-    mesh.vertexFields = {{"error", {0.5f, -0.25f, 0.0f, 1.0f}}, {"bleeding", {0.5f, 0, 0, 1}}};
-    mesh.faceFields = {{"bleeding", {0.125f, 0.0f}}, {"area", {0.5f, 0.75f}}};
-    mesh.objects = {0, 3};
-    mesh.objectNames = {"a", "b", "c", "d"};
-  }
+  FieldMeshPly() { fs::create_directories(folder); }
   ~FieldMeshPly() override { fs::remove_all(folder); }
 
   const fs::path folder =
       fs::temp_directory_path() / ("umbrascope-field-mesh-" + std::to_string(getpid()));
   const fs::path file = folder / "mesh.ply";
-  FieldMesh mesh;
+  FieldMesh mesh = sampleFieldMesh();
 };
 
 using Triangles = OpenMesh::TriMesh_ArrayKernelT<>;
@@ -59,7 +51,7 @@ TEST_F(FieldMeshPly, OpenMeshFindsEveryFieldByItsName) {
   }
   OpenMesh::FPropHandleT<int> objects;
   ASSERT_TRUE(read.get_property_handle(objects, "object"));
-  EXPECT_EQ(read.property(objects, Triangles::FaceHandle(1)), 3);
+  EXPECT_EQ(read.property(objects, Triangles::FaceHandle(1)), 2);
 }
 
 TEST_F(FieldMeshPly, TheHeaderNamesFloats) {

@@ -54,7 +54,6 @@ ComparisonPanes::ComparisonPanes(SessionController& controller, SceneView& view,
   connect(&prober_, &Prober::reported, this, [this] {
     refreshFigures();
     showPictures();
-    schedule();
   });
   arrange();
 }

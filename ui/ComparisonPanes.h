@@ -96,6 +96,7 @@ class ComparisonPanes : public QWidget {
   DrawnPicture drawnAsIs(std::size_t pane) const;  // the picture of exactly what the pane shows
   DrawnPicture pictureToShow(std::size_t pane);
   DrawnPicture draw(std::size_t pane);
+  void keep(const DrawnPicture& picture);
   PictureSubject subject(std::size_t pane) const;
   KeptEvidence neededEvidence(std::size_t pane) const;  // to be probed
   // ComparisonPanesFigures.cpp

@@ -96,8 +96,7 @@ void ComparisonPanes::showPictures() {
 }
 
 void ComparisonPanes::schedule() {
-  if (mode() != arranged_ || arranged_ == ComparisonMode::Single || view_.pixels().isEmpty() ||
-      outOfDate().empty())
+  if (arranged_ == ComparisonMode::Single || view_.pixels().isEmpty() || outOfDate().empty())
     return;
   std::vector<PictureSubject> wanted;
   for (std::size_t i = 0; i < shown_.size(); ++i) wanted.push_back(subject(i));
@@ -109,15 +108,25 @@ void ComparisonPanes::schedule() {
 
 // One at a time: what a person does meanwhile comes first.
 void ComparisonPanes::drawNext() {
-  if (mode() != arranged_ || arranged_ == ComparisonMode::Single) return;
+  if (arranged_ == ComparisonMode::Single) return;
   const std::vector<std::size_t> waiting = outOfDate();
   if (waiting.empty()) return;
-  recent_.insert(recent_.begin(), draw(waiting.front()));
-  if (recent_.size() > kept) recent_.pop_back();
+  keep(draw(waiting.front()));
   refreshFigures();
   showPictures();
-  // What became out of date while it was drawn has no frame of its own to wait for.
-  if (!outOfDate().empty()) timer_.start(waiting.size() > 1 ? 0 : rest);
+  if (waiting.size() > 1) timer_.start(0);
+}
+
+// What a pane shows stays, however long ago it was drawn; of the others the oldest goes.
+void ComparisonPanes::keep(const DrawnPicture& picture) {
+  std::vector<DrawnPicture> shown;
+  for (std::size_t i = 0; i < shown_.size(); ++i)
+    if (i != active_) shown.push_back(drawnAsIs(i));
+  std::stable_partition(recent_.begin(), recent_.end(), [&](const DrawnPicture& drawn) {
+    return std::find(shown.begin(), shown.end(), drawn) != shown.end();
+  });
+  recent_.insert(recent_.begin(), picture);
+  if (recent_.size() > kept) recent_.pop_back();
 }
 
 ComparisonPanes::DrawnPicture ComparisonPanes::draw(std::size_t pane) {

@@ -191,16 +191,12 @@ void EvidencePanes::showChannel() {
 void EvidencePanes::dragReceiver(double depth) {
   const auto& report = prober_.report();
   if (!report) return;
-  const QSize size = view_.pixels();
   controller_.edit(
       tr("Drag receiver depth"),
       [&](Session& session) {
         session.receiver = depth;
-        if (session.probe) return;
-        session.probe = report->pixel;  // what is being studied no longer follows the pointer
-        if (!report->point) return;
-        session.width = size.width();
-        session.height = size.height();
+        // What is being studied no longer follows the pointer.
+        if (!session.probe) prober_.place(session, report->pixel);
       },
       "receiver");
 }

@@ -15,10 +15,8 @@ std::optional<FrameProbe> probeFrame(const FrameEvidence& evidence, const FrameS
   const Image<float>& surfaces = evidence.surfaces;
   if (pixel.x < 0 || pixel.y < 0 || pixel.x >= surfaces.width() || pixel.y >= surfaces.height())
     return std::nullopt;
-  const SurfaceRead surface =
-      readAt(surfaces, evidence.footprints, frame.read.filter, pixel.x, pixel.y);
-  const double u = surface.read.u, v = surface.read.v;
-  if (u < 0.0 || u > 1.0 || v < 0.0 || v > 1.0) return std::nullopt;
+  const SurfacePoint surface = surfaceAt(surfaces, evidence.footprints, pixel.x, pixel.y);
+  if (surface.u < 0.0 || surface.u > 1.0 || surface.v < 0.0 || surface.v > 1.0) return std::nullopt;
   ProbeRequest request = requestOf(frame, evidence.cascades, mapOf, surface);
   request.receiver = receiver.value_or(surface.receiver);
   request.techniques = {evidence.technique};

@@ -98,19 +98,11 @@ std::variant<SurfacePlace, NotRead> HeldPoint::computed(const SceneView& view,
                                            document.session.frame, extent});
   if (const auto* why = std::get_if<Unreadable>(&found))
     return *why == Unreadable::OutsideMap ? NotRead::OutsideMap : NotRead::NotInSight;
-  const auto& read = std::get<SurfaceRead>(found);
   SurfacePlace place;
   place.plane = Plane(spot->normal, spot->point);
   place.pixel = lastShown_ ? lastShown_->pixel : document.session.probe.value_or(Pixel{});
-  SurfacePoint& surface = place.surface;
-  surface.u = read.read.u;
-  surface.v = read.read.v;
-  surface.footprint = read.read.footprint;
-  surface.receiver = read.receiver;
-  surface.facesLight = read.facesLight;
-  surface.world = point_;
-  surface.cascade = read.cascade;
-  surface.nextCascade = read.nextCascade;
+  place.surface = std::get<SurfacePoint>(found);
+  place.surface.world = point_;
   return place;
 }
 

@@ -143,7 +143,6 @@ QString KeptProbes::wishedName() const {
 void KeptProbes::keep() {
   const auto& report = prober_.behindVeil();
   if (!canKeep()) return;
-  const QSize size = view_.pixels();
   controller_.edit(tr("Keep probe"), [&](Session& session) {
     NamedProbe probe;
     probe.name = wishedName().toStdString();
@@ -154,13 +153,8 @@ void KeptProbes::keep() {
       probe.point = pinned ? *pinned : *report->point;
     else
       probe.texel = report->pixel;
-    if (!session.probe) {  // what is kept no longer follows the pointer
-      session.probe = report->pixel;
-      if (report->point) {
-        session.width = size.width();
-        session.height = size.height();
-      }
-    }
+    // What is kept no longer follows the pointer.
+    if (!session.probe) prober_.place(session, report->pixel);
     keepProbe(session, std::move(probe));
   });
   if (current() >= 0)
@@ -187,14 +181,12 @@ void KeptProbes::goTo(int row) {
   prober_.settlePixel();
   const QSize size = view_.pixels();
   controller_.edit(tr("Go to probe"), [&](Session& session) {
+    // A point out of the picture has no pixel: the middle's stands for it.
+    const Pixel middle{size.width() / 2, size.height() / 2};
+    prober_.place(session,
+                  probe.texel ? *probe.texel : view_.pixelOf(*probe.point).value_or(middle));
     session.keptProbe = probe.name;
     session.receiver = probe.receiver;
-    if (probe.texel) return void(session.probe = probe.texel);
-    // A point out of the picture has no pixel: the middle's stands for it.
-    session.probe =
-        view_.pixelOf(*probe.point).value_or(Pixel{size.width() / 2, size.height() / 2});
-    session.width = size.width();
-    session.height = size.height();
   });
   prober_.refresh();
 }

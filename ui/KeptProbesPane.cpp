@@ -15,6 +15,7 @@
 #include "ui/Prober.h"
 #include "ui/SessionController.h"
 #include "ui/widgets/KeptProbesModel.h"
+#include "ui/widgets/PlainTable.h"
 #include "ui/widgets/Style.h"
 
 namespace umbra {
@@ -61,23 +62,12 @@ KeptProbesPane::KeptProbesPane(KeptProbes& probes, SessionController& controller
 void KeptProbesPane::makeTable() {
   view_->setModel(model_);
   view_->setItemDelegate(new KeptProbesDelegate(view_));
-  view_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  view_->setSelectionMode(QAbstractItemView::SingleSelection);
+  makePlain(*view_, {});
   view_->setEditTriggers(QAbstractItemView::DoubleClicked);
   view_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-  view_->setShowGrid(false);
-  view_->setFrameShape(QFrame::NoFrame);
   view_->setTabKeyNavigation(false);
-  view_->verticalHeader()->hide();
-  view_->verticalHeader()->setMinimumSectionSize(10);
   QHeaderView* header = view_->horizontalHeader();
-  header->setMinimumSectionSize(10);
-  header->setHighlightSections(false);
   header->setSectionsClickable(true);
-  header->setStyleSheet(QString("QHeaderView { background: transparent; } QHeaderView::section { "
-                                "border: none; border-bottom: 1px solid %1; background: "
-                                "transparent; padding: 2px 3px; }")
-                            .arg(style::border.name()));
   view_->setCornerWidget(new QWidget);  // the style draws a grip there
   body()->addWidget(view_, 1);
   const auto go = [this](const QModelIndex& index) { probes_.goTo(index.row()); };

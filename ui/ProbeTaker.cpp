@@ -21,14 +21,10 @@ ProbeReport ProbeTaker::at(const SurfacePlace& place, const std::optional<double
   const Session& session = controller_.session();
   const SurfacePoint& surface = place.surface;
   const std::vector<Cascade>& cascades = frame.cascades();
-  ProbeRequest request =
-      requestOf(session.frame, cascades,
-                [&](int cascade) -> const DepthMap& { return frame.depthMap(cascade); },
-                {{session.frame.read.filter, surface.u, surface.v, surface.footprint},
-                 receiver.value_or(surface.receiver),
-                 surface.facesLight,
-                 surface.cascade,
-                 surface.nextCascade});
+  ProbeRequest request = requestOf(
+      session.frame, cascades,
+      [&](int cascade) -> const DepthMap& { return frame.depthMap(cascade); }, surface);
+  request.receiver = receiver.value_or(surface.receiver);
   ProbeReport report = probe(std::move(request), frame.depthMap(0), view_.firstMapRevision());
   report.cascade = surface.cascade;
   report.pixel = place.pixel;
@@ -50,10 +46,11 @@ std::optional<ProbeReport> ProbeTaker::at(const Pixel& texel,
   const DepthMap& map = *controller_.document().content.depth;
   if (texel.x < 0 || texel.y < 0 || texel.x >= map.width() || texel.y >= map.height())
     return std::nullopt;
-  ProbeReport report =
-      probe(requestOf(controller_.session().frame, {}, [&](int) -> const DepthMap& { return map; },
-                      {ReadPoint::atTexel(map, texel.x, texel.y), receiver.value_or(0.5)}),
-            map, 0);
+  ProbeRequest request =
+      requestOf(controller_.session().frame, {}, [&](int) -> const DepthMap& { return map; }, {});
+  request.read = ReadPoint::atTexel(map, texel.x, texel.y);
+  request.receiver = receiver.value_or(0.5);
+  ProbeReport report = probe(std::move(request), map, 0);
   report.pixel = texel;
   return report;
 }

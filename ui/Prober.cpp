@@ -84,18 +84,21 @@ void Prober::hover(const Pixel& pixel) {
 void Prober::pin(const Pixel& pixel) {
   const bool onScene = controller_.document().content.scene != nullptr;
   if (onScene && !view_.surfaceAt(pixel)) return;  // the sky has no shadow to take apart
-  const QSize size = view_.pixels();
   settlePixel();
   held_.reset();
   controller_.edit(tr("Pin probe"), [&](Session& session) {
-    session.probe = pixel;
-    session.keptProbe.clear();
-    if (!onScene) return;
-    session.width = size.width();
-    session.height = size.height();
-    session.receiver.reset();
+    place(session, pixel);
+    if (onScene) session.receiver.reset();
   });
   refresh();
+}
+
+void Prober::place(Session& session, const Pixel& at) const {
+  session.probe = at;
+  session.keptProbe.clear();
+  if (!controller_.document().content.scene) return;
+  session.width = view_.pixels().width();
+  session.height = view_.pixels().height();
 }
 
 void Prober::unpin() {
@@ -128,13 +131,7 @@ void Prober::pinWorstBleeding() {
 void Prober::startAtWorstBleeding() {
   const auto worst = findWorstBleeding();
   if (!worst) return;
-  const QSize size = view_.pixels();
-  controller_.amend([&](Session& session) {
-    session.probe = *worst;
-    session.keptProbe.clear();
-    session.width = size.width();
-    session.height = size.height();
-  });
+  controller_.amend([&](Session& session) { place(session, *worst); });
   refresh();
 }
 
@@ -142,14 +139,8 @@ void Prober::startAtWorstBleeding() {
 void Prober::settlePixel() {
   const Session& before = controller_.session();
   if (!before.probe || !held_ || !before.keptProbe.empty()) return;
-  const auto pixel = view_.pixelOf(held_->point());
-  const QSize size = view_.pixels();
-  if (!pixel || (*pixel == *before.probe && size == QSize(before.width, before.height))) return;
-  controller_.amend([&](Session& session) {
-    session.probe = *pixel;
-    session.width = size.width();
-    session.height = size.height();
-  });
+  if (const auto pixel = view_.pixelOf(held_->point()))
+    controller_.amend([&](Session& session) { place(session, *pixel); });
 }
 
 void Prober::refresh() {

@@ -44,6 +44,9 @@ class Prober : public QObject {
   // bleeds.
   void pinWorstBleeding();
   void startAtWorstBleeding();  // the same, but no step: nobody has done anything yet
+  // Within an edit: the probe is at this pixel of the present picture, or this texel, and at none
+  // that is kept.
+  void place(Session& session, const Pixel& at) const;
   // Gives the session the pixel that shows the pinned point now, so that undo finds it again:
   // before the probe goes elsewhere.
   void settlePixel();

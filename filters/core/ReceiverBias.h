@@ -8,6 +8,12 @@
 
 namespace umbra {
 
+// By how much the normalised depth of the plane through `world` with this normal (of any length,
+// either way) changes from one texel of the whole light's map to the next along x and y; absolute
+// values.
+Eigen::Vector2d depthPerTexel(const LightFrame& light, int mapSize, const Eigen::Vector3d& world,
+                              const Eigen::Vector3d& normal);
+
 // Of a frame with one map, read where reads cover as much whatever the picture: point, bilinear, or
 // a summed-area table of fixed size.
 class ReceiverBias {
@@ -22,12 +28,9 @@ class ReceiverBias {
   double receiver(const Eigen::Vector3d& world, const Eigen::Vector3d& normal) const;
 
  private:
-  // By how much the plane's normalised depth changes from one texel to the next along x and y.
-  Eigen::Vector2d depthPerTexel(const Eigen::Vector3d& world, const Eigen::Vector3d& normal) const;
-
   LightFrame light_;
+  int mapSize_;
   double constant_, texels_;  // texels of the slope that are subtracted
-  Eigen::Vector2d step_;      // a texel's side at unit distance before the light, world units
 };
 
 }  // namespace umbra

@@ -14,6 +14,7 @@
 #include "filters/core/Light.h"
 #include "filters/core/Region.h"
 #include "filters/core/Scene.h"
+#include "filters/core/SurfacePoint.h"
 #include "filters/core/Technique.h"
 #include "filters/gpu/BakeStage.h"
 #include "filters/gpu/SplitPace.h"
@@ -22,18 +23,6 @@ class vtkRenderer;
 class vtkRenderWindow;
 
 namespace umbra {
-
-// What the shaded frame knows of one pixel.
-struct SurfacePoint {
-  double u = 0.0, v = 0.0;  // in its cascade's map, [0,1] from the top-left corner, v down
-  double receiver = 0.0;    // z_r, biased, [0,1]
-  double visibility = 1.0;  // as the GPU computed it
-  bool facesLight = true;   // false: turned away from the light, which adds nothing there
-  Eigen::Vector3d world{0.0, 0.0, 0.0};
-  Footprint footprint;  // in texels of its cascade's map, for the filters that have one
-  int cascade = 0;
-  double nextCascade = 0.0;  // weight of the next cascade in a seam, else 0
-};
 
 // GPU time of one pass of the last frame; passes that had nothing to do are absent.
 struct PassTime {

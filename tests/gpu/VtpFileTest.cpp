@@ -15,6 +15,7 @@
 
 #include <fstream>
 
+#include "datasets/FieldMeshSample.h"
 #include "filters/core/Error.h"
 
 namespace umbra {
@@ -24,16 +25,7 @@ namespace fs = std::filesystem;
 
 class VtpFile : public testing::Test {
  protected:
-  VtpFile() {
-    fs::create_directories(folder);
-    mesh.positions = {{0, 0, 0}, {1, 0, 0.25f}, {0, 1, 0}, {1, 1, 0}};
-    mesh.normals.assign(4, Eigen::Vector3f::UnitZ());
-    mesh.triangles = {{0, 1, 2}, {2, 1, 3}};
-    mesh.vertexFields = {{"error", {0.5f, -0.25f, 0.0f, 1.0f}}, {"bleeding", {0.5f, 0, 0, 1}}};
-    mesh.faceFields = {{"bleeding", {0.125f, 0.0f}}, {"area", {0.5f, 0.75f}}};
-    mesh.objects = {0, 1};
-    mesh.objectNames = {"bench", "tree"};
-  }
+  VtpFile() { fs::create_directories(folder); }
   ~VtpFile() override { fs::remove_all(folder); }
 
   static void expectField(vtkDataSetAttributes* data, const MeshField& field) {
@@ -48,7 +40,7 @@ class VtpFile : public testing::Test {
   const fs::path folder =
       fs::temp_directory_path() / ("umbrascope-vtp-" + std::to_string(getpid()));
   const fs::path file = folder / "mesh.vtp";
-  FieldMesh mesh;
+  FieldMesh mesh = sampleFieldMesh();
 };
 
 TEST_F(VtpFile, IsReadBackWhole) {
@@ -73,10 +65,10 @@ TEST_F(VtpFile, IsReadBackWhole) {
   for (const MeshField& field : mesh.faceFields) expectField(read->GetCellData(), field);
   expectField(read->GetPointData(), {"bleeding", {0.5f, 0, 0, 1}});
   EXPECT_EQ(std::string(read->GetPointData()->GetScalars()->GetName()), "bleeding");
-  EXPECT_EQ(read->GetCellData()->GetArray("object")->GetTuple1(1), 1.0);
+  EXPECT_EQ(read->GetCellData()->GetArray("object")->GetTuple1(1), 2.0);
   auto* names = vtkStringArray::SafeDownCast(read->GetFieldData()->GetAbstractArray("objects"));
   ASSERT_TRUE(names);
-  EXPECT_EQ(names->GetValue(1), "tree");
+  EXPECT_EQ(names->GetValue(2), "tree");
 }
 
 TEST_F(VtpFile, WhatCannotBeWrittenLeavesWhatWasThere) {

@@ -158,6 +158,24 @@ void WindowTest::aPanesMenuSharesAndCloses() {
   settlePanes();
 }
 
+// Of the pictures that are kept, the oldest is what two panes show: one more drives neither out.
+void WindowTest::whatPanesShowIsKept() {
+  MainWindow& window = open(comparing(ComparisonMode::Grid, {"vsm", "msm", "pcf"}));
+  ComparisonPanes& panes = window.centre().comparison();
+  settlePanes();
+  const QImage first = panes.picture(1).picture();
+  for (int radius : {4, 5, 6}) {
+    setRadius(window, radius);
+    settlePanes();
+  }
+  for (int i = 0; i < 3; ++i) key(Qt::Key_Z, Qt::ControlModifier);
+  settlePanes();
+  QCOMPARE(panes.picture(1).picture().cacheKey(), first.cacheKey());  // not drawn again
+  window.controller().edit("Choose", [](Session& session) { choosePane(session, 2, "hard"); });
+  settlePanes();
+  QCOMPARE(panes.picture(1).picture().cacheKey(), first.cacheKey());
+}
+
 void WindowTest::panesWithSettingsAreSavedAndOpened() {
   MainWindow& window = open(comparing(ComparisonMode::Grid, {"vsm", "msm"}));
   key(Qt::Key_D, Qt::ControlModifier);

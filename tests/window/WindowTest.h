@@ -59,6 +59,7 @@ class WindowTest : public QObject {
   void anotherPaneBringsItsSettingsToTheControls();
   void aPanesErrorIsOfItsOwnSettings();
   void aPanesMenuSharesAndCloses();
+  void whatPanesShowIsKept();
   void panesWithSettingsAreSavedAndOpened();
   void digitsSwitchTechniques();
   void keysSwitchTheView();

@@ -7,6 +7,7 @@
 #include <QKeyEvent>
 #include <QLocale>
 
+#include "ui/widgets/PlainTable.h"
 #include "ui/widgets/Style.h"
 
 namespace umbra {
@@ -95,26 +96,14 @@ ErrorTable::ErrorTable(QWidget* parent) : QTableWidget(pixelRow + 1, ColumnCount
       for (int column = 0; column < ColumnCount; ++column)
         item(row, column)->setFlags(Qt::ItemIsEnabled);
   }
-  horizontalHeader()->setMinimumSectionSize(10);
+  makePlain(*this, style::muted);
   horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   horizontalHeader()->setSectionResizeMode(Title, QHeaderView::Stretch);
-  horizontalHeader()->setHighlightSections(false);
-  horizontalHeader()->setSectionsClickable(false);
   setStyleSheet(QString("QTableView { border: none; background: transparent; outline: 0; } "
-                        "QTableView::item:selected { background: %3; color: %4; } "
-                        "QHeaderView { background: transparent; } QHeaderView::section { "
-                        "border: none; border-bottom: 1px solid %1; background: transparent; "
-                        "color: %2; padding: 2px 3px; }")
-                    .arg(style::border.name(), style::muted.name(),
-                         style::tint(style::accent).name(), style::ink.name()));
-  verticalHeader()->hide();
-  verticalHeader()->setMinimumSectionSize(10);
+                        "QTableView::item:selected { background: %1; color: %2; }")
+                    .arg(style::tint(style::accent).name(), style::ink.name()));
   verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 3);
   setEditTriggers(QAbstractItemView::NoEditTriggers);
-  setSelectionBehavior(QAbstractItemView::SelectRows);
-  setSelectionMode(QAbstractItemView::SingleSelection);
-  setShowGrid(false);
-  setFrameShape(QFrame::NoFrame);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);

@@ -3,12 +3,12 @@
 #include <QAction>
 #include <QClipboard>
 #include <QGuiApplication>
-#include <QHeaderView>
 #include <QLabel>
 #include <QTableView>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/widgets/PlainTable.h"
 #include "ui/widgets/ProbeTableModel.h"
 #include "ui/widgets/Style.h"
 
@@ -27,22 +27,9 @@ ProbeTable::ProbeTable(QWidget* parent)
       hint_(new QLabel) {
   view_->setModel(model_);
   view_->setItemDelegate(new ProbeTableDelegate(view_));
-  view_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  view_->setSelectionMode(QAbstractItemView::SingleSelection);
+  makePlain(*view_, style::muted);
   view_->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
-  view_->setShowGrid(false);
-  view_->setFrameShape(QFrame::NoFrame);
   view_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  view_->verticalHeader()->hide();
-  view_->verticalHeader()->setMinimumSectionSize(10);
-  QHeaderView* header = view_->horizontalHeader();
-  header->setMinimumSectionSize(10);
-  header->setHighlightSections(false);
-  header->setSectionsClickable(false);
-  header->setStyleSheet(QString("QHeaderView { background: transparent; } QHeaderView::section { "
-                                "border: none; border-bottom: 1px solid %1; background: "
-                                "transparent; color: %2; padding: 2px 4px; }")
-                            .arg(style::border.name(), style::muted.name()));
   body()->addWidget(view_);
   hint_->setWordWrap(true);
   hint_->setAlignment(Qt::AlignCenter);

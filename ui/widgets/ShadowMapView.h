@@ -30,7 +30,7 @@ class ShadowMapView : public Card {
   // stays where the map's size does.
   void setImage(Image<float> values, int channel = 0);
   void setImage(const DepthMap& depth);  // the first sample of every texel
-  void clear();  // no map: a hint stands in its place
+  void clear();                          // no map: a hint stands in its place
 
   // Outlined, its centre texel marked; nothing zooms by itself.
   void setRegion(const Region& region);
