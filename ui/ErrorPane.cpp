@@ -80,8 +80,14 @@ ErrorPane::ErrorPane(ErrorController& errors, Prober& prober, QWidget* parent)
   connect(canvas_, &PictureCanvas::pixelClicked, &errors_, &ErrorController::pin);
   connect(canvas_, &PictureCanvas::lassoDrawn, this,
           [this](const QPolygonF& lasso) { errors_.setLasso(lasso, canvas_->picture().size()); });
-  connect(canvas_, &PictureCanvas::pixelHovered, this, &ErrorPane::showReadout);
-  connect(canvas_, &PictureCanvas::left, this, &ErrorPane::showHint);
+  connect(canvas_, &PictureCanvas::pixelHovered, this, [this](int x, int y) {
+    hovered_ = QPoint(x, y);
+    showReadout();
+  });
+  connect(canvas_, &PictureCanvas::left, this, [this] {
+    hovered_.reset();
+    showReadout();
+  });
   connect(&errors_, &ErrorController::changed, this, &ErrorPane::refresh);
   connect(&errors_, &ErrorController::progressed, this, &ErrorPane::refreshNote);
   connect(&prober_, &Prober::reported, this, &ErrorPane::refreshMark);
@@ -123,7 +129,7 @@ void ErrorPane::refresh() {
   refreshNote();
   refreshMark();
   showLegend();
-  showHint();
+  showReadout();
 }
 
 void ErrorPane::refreshPicture() {
@@ -179,10 +185,15 @@ void ErrorPane::showLegend() {
   legend_->setScale(ColourMap::Diverging, -range_, range_, tr("too dark … too light"));
 }
 
-void ErrorPane::showReadout(int x, int y) {
-  if (!painted_) return;
+// Of the pixel under the pointer, also when the picture beneath it has changed.
+void ErrorPane::showReadout() {
+  if (!painted_) return readout_->clear();
+  if (!hovered_ || !canvas_->picture().rect().contains(*hovered_))
+    return readout_->setText(
+        tr("Drag over the picture to circle a part of it; click to probe a pixel; turn the wheel "
+           "to look closer."));
   const ErrorDecomposition& errors = painted_->errors;
-  const PicturePixel pixel = errors.takenPixel(x, y);
+  const PicturePixel pixel = errors.takenPixel(hovered_->x(), hovered_->y());
   QString text = tr("no shadow falls here");
   if (errors.receives(pixel.x, pixel.y)) {
     const double error = errorAt(errors, pixel.x, pixel.y, std::nullopt);
@@ -198,12 +209,6 @@ void ErrorPane::showReadout(int x, int y) {
       text = tr("%1, mostly %2").arg(whole, titleOf(largestPart(errors, pixel)).toLower());
   }
   readout_->setText(tr("Pixel %1, %2: %3").arg(pixel.x).arg(pixel.y).arg(text));
-}
-
-void ErrorPane::showHint() {
-  readout_->setText(painted_ ? tr("Drag over the picture to circle a part of it; click to probe a "
-                                  "pixel; turn the wheel to look closer.")
-                             : QString());
 }
 
 }  // namespace umbra

@@ -1,6 +1,7 @@
 // The frame's error as a picture and as numbers, part by part.
 #pragma once
 
+#include <QPoint>
 #include <memory>
 #include <optional>
 
@@ -40,9 +41,8 @@ class ErrorPane : public Card {
   void refreshFigures();
   void refreshNote();
   void refreshMark();
-  void showReadout(int x, int y);
+  void showReadout();
   void showLegend();
-  void showHint();
 
   ErrorController& errors_;
   Prober& prober_;
@@ -57,6 +57,7 @@ class ErrorPane : public Card {
   std::shared_ptr<const ErrorController::Taken> painted_;
   std::optional<ErrorPart> paintedPart_;
   double range_ = 1.0;
+  std::optional<QPoint> hovered_;  // pixel of the picture
 };
 
 }  // namespace umbra

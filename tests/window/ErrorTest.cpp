@@ -208,13 +208,14 @@ void WindowTest::aPixelOfTheErrorIsProbed() {
   PictureCanvas& canvas = pane.canvas();
   const QPoint point(canvas.width() / 2, canvas.height() * 3 / 4);
   const QPointF at = canvas.toPicture(point);
+  moveMouse(&canvas, point);
   QTest::mouseClick(&canvas, Qt::LeftButton, {}, point);
   settle();
   const Pixel clicked{int(std::floor(at.x())), int(std::floor(at.y()))};
   QVERIFY(window.controller().session().probe == clicked);
   QVERIFY(window.prober().report()->pixel == clicked);
   QVERIFY(errorsOf(window).current());  // a probe changes no error
-  moveMouse(&canvas, point);
+  // A click leaves the figures of the pixel under the pointer.
   const QString readout = window.findChild<QLabel*>("errorReadout")->text();
   QVERIFY(readout.contains(QString("%1, %2:").arg(clicked.x).arg(clicked.y)));
   QVERIFY(readout.contains(
