@@ -20,9 +20,13 @@ function(umbra_layer name)
   target_link_libraries(${name} PUBLIC umbra_options ${ARGN})
 endfunction()
 
-# Every *Test.cpp of the calling folder, as one GoogleTest program whose cases CTest lists.
+# Every *Test.cpp of the calling folder and those below, as one GoogleTest program whose cases CTest lists. Nothing
+# where the tests are not built.
 function(umbra_unit_tests name)
-  file(GLOB sources CONFIGURE_DEPENDS *Test.cpp)
+  if(NOT UMBRA_TESTS)
+    return()
+  endif()
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS *Test.cpp)
   if(sources)
     add_executable(${name} ${sources})
     target_link_libraries(${name} PRIVATE umbra_options GTest::gtest_main ${ARGN})
@@ -42,6 +46,3 @@ function(umbra_embed target)
   endforeach()
   target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
 endfunction()
-
-find_package(GTest REQUIRED)
-include(GoogleTest)
