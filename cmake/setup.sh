@@ -40,9 +40,10 @@ install_missing() {
   }
 }
 
-# configure [CMAKE ARGUMENT...]: release build, ccache and the mold linker where present.
+# configure [CMAKE ARGUMENT...]: release build, without tests unless the arguments say so; ccache
+# and the mold linker where present.
 configure() {
-  local options=()
+  local options=(-DUMBRA_TESTS=OFF)
   command -v ccache >/dev/null && options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
   command -v mold >/dev/null && options+=(-DCMAKE_EXE_LINKER_FLAGS=-fuse-ld=mold
     -DCMAKE_SHARED_LINKER_FLAGS=-fuse-ld=mold -DCMAKE_MODULE_LINKER_FLAGS=-fuse-ld=mold)
@@ -52,4 +53,46 @@ configure() {
     cat build/configure.log >&2
     exit 1
   }
+}
+
+# ccache keeps objects that were compiled with a precompiled header only where this is said.
+export CCACHE_SLOPPINESS="${CCACHE_SLOPPINESS:-pch_defines,time_macros}"
+
+# time_left SECONDS: "about 3 minutes", "less than a minute".
+time_left() {
+  local minutes=$((($1 + 30) / 60))
+  case $minutes in
+    0) printf 'less than a minute' ;;
+    1) printf 'about a minute' ;;
+    *) printf 'about %d minutes' "$minutes" ;;
+  esac
+}
+
+# build [CMAKE ARGUMENT...]: builds, and says how far it is and how long it will take: on one line
+# of a terminal, every 20 seconds elsewhere. What the compiler says is passed on.
+build() {
+  local total done=0 began=$SECONDS said=$SECONDS line left
+  total=$(cmake --build --preset release "$@" -- -n 2>/dev/null | grep -c 'Building CXX') || true
+  [ "$total" -lt 10 ] || say "Building $total source files on $(nproc) cores; the first time takes a while."
+  NINJA_STATUS='[%f/%t] ' cmake --build --preset release "$@" 2>&1 | while IFS= read -r line; do
+    case "$line" in
+      '['*'] Building CXX'*) done=$((done + 1)) ;;
+      '['*) ;;
+      'ninja: no work to do.' | 'ninja: Entering directory'*) continue ;;
+      *) printf '%s\n' "$line" >&2; continue ;;
+    esac
+    # The first files tell little of what all will take.
+    left=''
+    [ "$done" -lt 10 ] || [ "$total" -lt "$done" ] ||
+      left=", $(time_left $(((SECONDS - began) * (total - done) / done))) left"
+    if [ -t 2 ]; then
+      printf '\r\033[K[%d/%d] compiled%s' "$done" "$total" "$left" >&2
+    elif [ $((SECONDS - said)) -ge 20 ]; then
+      said=$SECONDS
+      say "[$done/$total] compiled$left"
+    fi
+  done
+  local status=${PIPESTATUS[0]}
+  [ -t 2 ] && printf '\r\033[K' >&2
+  return "$status"
 }
