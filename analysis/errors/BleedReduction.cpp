@@ -1,10 +1,10 @@
-#include "analysis/BleedReduction.h"
+#include "analysis/errors/BleedReduction.h"
 
 #include <algorithm>
 
-#include "analysis/CompareMap.h"
-#include "analysis/ReceiverPixels.h"
-#include "filters/core/Prefilter.h"
+#include "analysis/errors/CompareMap.h"
+#include "analysis/frame/ReceiverPixels.h"
+#include "filters/core/prefilter/Prefilter.h"
 
 namespace umbra {
 namespace {

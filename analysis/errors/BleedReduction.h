@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/Probe.h"
-#include "filters/core/Image.h"
+#include "analysis/probe/Probe.h"
+#include "filters/core/maps/Image.h"
 
 namespace umbra {
 

@@ -1,13 +1,13 @@
-#include "analysis/BleedReduction.h"
+#include "analysis/errors/BleedReduction.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/CompareMap.h"
-#include "analysis/TestMaps.h"
-#include "filters/core/Prefilter.h"
+#include "analysis/errors/CompareMap.h"
+#include "analysis/probe/TestMaps.h"
+#include "filters/core/prefilter/Prefilter.h"
 
 namespace umbra {
 namespace {

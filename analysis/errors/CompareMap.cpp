@@ -1,9 +1,9 @@
-#include "analysis/CompareMap.h"
+#include "analysis/errors/CompareMap.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "filters/core/Prefilter.h"
+#include "filters/core/prefilter/Prefilter.h"
 
 namespace umbra {
 namespace {

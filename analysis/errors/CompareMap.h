@@ -6,11 +6,11 @@
 #include <span>
 #include <vector>
 
-#include "analysis/Metrics.h"
-#include "filters/core/Image.h"
-#include "filters/core/Kernel.h"
-#include "filters/core/StorageFormat.h"
-#include "filters/core/Technique.h"
+#include "analysis/errors/Metrics.h"
+#include "filters/core/maps/Image.h"
+#include "filters/core/settings/Kernel.h"
+#include "filters/core/settings/StorageFormat.h"
+#include "filters/core/technique/Technique.h"
 
 namespace umbra {
 

@@ -1,9 +1,9 @@
-#include "analysis/CompareMap.h"
+#include "analysis/errors/CompareMap.h"
 
 #include <gtest/gtest.h>
 
-#include "analysis/Probe.h"
-#include "analysis/TestMaps.h"
+#include "analysis/probe/Probe.h"
+#include "analysis/probe/TestMaps.h"
 
 namespace umbra {
 namespace {

@@ -1,11 +1,11 @@
-#include "analysis/ErrorDecomposition.h"
+#include "analysis/errors/ErrorDecomposition.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "analysis/BleedReduction.h"
-#include "analysis/ReceiverPixels.h"
+#include "analysis/errors/BleedReduction.h"
+#include "analysis/frame/ReceiverPixels.h"
 
 namespace umbra {
 namespace {

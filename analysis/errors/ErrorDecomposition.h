@@ -9,10 +9,10 @@
 #include <span>
 #include <string_view>
 
-#include "analysis/Metrics.h"
-#include "analysis/Probe.h"
-#include "analysis/WorstPixel.h"
-#include "filters/core/Image.h"
+#include "analysis/errors/Metrics.h"
+#include "analysis/errors/WorstPixel.h"
+#include "analysis/probe/Probe.h"
+#include "filters/core/maps/Image.h"
 
 namespace umbra {
 

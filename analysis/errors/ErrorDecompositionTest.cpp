@@ -1,13 +1,13 @@
-#include "analysis/ErrorDecomposition.h"
+#include "analysis/errors/ErrorDecomposition.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numeric>
 
-#include "analysis/BleedReduction.h"
-#include "analysis/TestMaps.h"
-#include "analysis/TestProbes.h"
+#include "analysis/errors/BleedReduction.h"
+#include "analysis/probe/TestMaps.h"
+#include "analysis/probe/TestProbes.h"
 
 namespace umbra {
 namespace {

@@ -1,8 +1,8 @@
-#include "analysis/FrameDecomposition.h"
+#include "analysis/errors/FrameDecomposition.h"
 
-#include "analysis/BleedReduction.h"
-#include "analysis/EveryCore.h"
-#include "analysis/ReceiverPixels.h"
+#include "analysis/errors/BleedReduction.h"
+#include "analysis/frame/EveryCore.h"
+#include "analysis/frame/ReceiverPixels.h"
 
 namespace umbra {
 

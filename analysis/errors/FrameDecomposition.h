@@ -4,8 +4,8 @@
 #include <functional>
 #include <memory>
 
-#include "analysis/DrawnFrame.h"
-#include "analysis/ErrorDecomposition.h"
+#include "analysis/errors/ErrorDecomposition.h"
+#include "analysis/frame/DrawnFrame.h"
 
 namespace umbra {
 

@@ -1,8 +1,8 @@
-#include "analysis/Measure.h"
+#include "analysis/errors/Measure.h"
 
 #include <algorithm>
 
-#include "analysis/Explain.h"
+#include "analysis/probe/Explain.h"
 
 namespace umbra {
 

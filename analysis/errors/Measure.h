@@ -4,9 +4,9 @@
 #include <optional>
 #include <string_view>
 
-#include "analysis/Metrics.h"
-#include "analysis/Probe.h"
-#include "filters/core/Quantity.h"
+#include "analysis/errors/Metrics.h"
+#include "analysis/probe/Probe.h"
+#include "filters/core/support/Quantity.h"
 
 namespace umbra {
 

@@ -1,4 +1,4 @@
-#include "analysis/Metrics.h"
+#include "analysis/errors/Metrics.h"
 
 #include <gtest/gtest.h>
 

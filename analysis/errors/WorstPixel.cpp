@@ -1,4 +1,4 @@
-#include "analysis/WorstPixel.h"
+#include "analysis/errors/WorstPixel.h"
 
 #include <algorithm>
 #include <cmath>

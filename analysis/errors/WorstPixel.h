@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "filters/core/Image.h"
+#include "filters/core/maps/Image.h"
 
 namespace umbra {
 

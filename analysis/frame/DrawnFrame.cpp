@@ -1,4 +1,4 @@
-#include "analysis/DrawnFrame.h"
+#include "analysis/frame/DrawnFrame.h"
 
 #include <algorithm>
 #include <cmath>

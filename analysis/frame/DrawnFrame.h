@@ -5,11 +5,11 @@
 #include <functional>
 #include <vector>
 
-#include "analysis/Probe.h"
-#include "filters/core/Cascades.h"
-#include "filters/core/FrameSettings.h"
-#include "filters/core/Image.h"
-#include "filters/core/SurfacePoint.h"
+#include "analysis/probe/Probe.h"
+#include "filters/core/maps/Cascades.h"
+#include "filters/core/maps/Image.h"
+#include "filters/core/maps/SurfacePoint.h"
+#include "filters/core/settings/FrameSettings.h"
 
 namespace umbra {
 

@@ -1,10 +1,10 @@
-#include "analysis/DrawnFrame.h"
+#include "analysis/frame/DrawnFrame.h"
 
 #include <gtest/gtest.h>
 
-#include "analysis/FrameDecomposition.h"
-#include "analysis/ReceiverPixels.h"
-#include "analysis/TestMaps.h"
+#include "analysis/errors/FrameDecomposition.h"
+#include "analysis/frame/ReceiverPixels.h"
+#include "analysis/probe/TestMaps.h"
 
 namespace umbra {
 namespace {

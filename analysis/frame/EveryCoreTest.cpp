@@ -1,4 +1,4 @@
-#include "analysis/EveryCore.h"
+#include "analysis/frame/EveryCore.h"
 
 #include <gtest/gtest.h>
 

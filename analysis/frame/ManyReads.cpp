@@ -1,12 +1,12 @@
-#include "analysis/ManyReads.h"
+#include "analysis/frame/ManyReads.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 
-#include "analysis/EveryCore.h"
-#include "filters/core/Crop.h"
-#include "filters/core/Prefilter.h"
+#include "analysis/frame/EveryCore.h"
+#include "filters/core/maps/Crop.h"
+#include "filters/core/prefilter/Prefilter.h"
 
 namespace umbra {
 namespace {

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "filters/core/FrameSettings.h"
-#include "filters/core/Image.h"
-#include "filters/core/Technique.h"
+#include "filters/core/maps/Image.h"
+#include "filters/core/settings/FrameSettings.h"
+#include "filters/core/technique/Technique.h"
 
 namespace umbra {
 

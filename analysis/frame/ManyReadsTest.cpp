@@ -1,11 +1,11 @@
-#include "analysis/ManyReads.h"
+#include "analysis/frame/ManyReads.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "analysis/Probe.h"
-#include "analysis/TestMaps.h"
+#include "analysis/probe/Probe.h"
+#include "analysis/probe/TestMaps.h"
 
 namespace umbra {
 namespace {

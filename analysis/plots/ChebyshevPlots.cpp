@@ -1,10 +1,10 @@
-#include "analysis/ChebyshevPlots.h"
+#include "analysis/plots/ChebyshevPlots.h"
 
 #include <algorithm>
 
-#include "analysis/PlotParts.h"
-#include "analysis/ProbePlots.h"
-#include "filters/core/Text.h"
+#include "analysis/plots/PlotParts.h"
+#include "analysis/plots/ProbePlots.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {

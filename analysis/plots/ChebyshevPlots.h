@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "analysis/Plot.h"
-#include "analysis/Probe.h"
+#include "analysis/plots/Plot.h"
+#include "analysis/probe/Probe.h"
 
 namespace umbra {
 

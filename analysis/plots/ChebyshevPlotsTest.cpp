@@ -1,11 +1,11 @@
-#include "analysis/ChebyshevPlots.h"
+#include "analysis/plots/ChebyshevPlots.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/TestProbes.h"
+#include "analysis/probe/TestProbes.h"
 
 namespace umbra {
 namespace {

@@ -1,13 +1,13 @@
-#include "analysis/ExplainingPlots.h"
+#include "analysis/plots/ExplainingPlots.h"
 
-#include "analysis/ChebyshevPlots.h"
-#include "analysis/FourierPlots.h"
-#include "analysis/MapPlots.h"
-#include "analysis/PlanesForm.h"
-#include "analysis/PlotParts.h"
-#include "analysis/PowerPlots.h"
-#include "analysis/Precision.h"
-#include "analysis/RadiusSweep.h"
+#include "analysis/plots/ChebyshevPlots.h"
+#include "analysis/plots/FourierPlots.h"
+#include "analysis/plots/MapPlots.h"
+#include "analysis/plots/PlanesForm.h"
+#include "analysis/plots/PlotParts.h"
+#include "analysis/plots/PowerPlots.h"
+#include "analysis/plots/Precision.h"
+#include "analysis/plots/RadiusSweep.h"
 
 namespace umbra {
 namespace {

@@ -1,10 +1,10 @@
-#include "analysis/ExplainingPlots.h"
+#include "analysis/plots/ExplainingPlots.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "analysis/TestMaps.h"
+#include "analysis/probe/TestMaps.h"
 
 namespace umbra {
 namespace {

@@ -1,13 +1,13 @@
-#include "analysis/FourierPlots.h"
+#include "analysis/plots/FourierPlots.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
 
-#include "analysis/PlotParts.h"
-#include "analysis/ProbePlots.h"
-#include "filters/core/Text.h"
+#include "analysis/plots/PlotParts.h"
+#include "analysis/plots/ProbePlots.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {

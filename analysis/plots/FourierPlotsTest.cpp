@@ -1,4 +1,4 @@
-#include "analysis/FourierPlots.h"
+#include "analysis/plots/FourierPlots.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "analysis/PlotParts.h"
-#include "analysis/TestProbes.h"
+#include "analysis/plots/PlotParts.h"
+#include "analysis/probe/TestProbes.h"
 
 namespace umbra {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "filters/core/SortedSamples.h"
+#include "filters/core/technique/SortedSamples.h"
 
 namespace umbra {
 

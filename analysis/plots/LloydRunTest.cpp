@@ -1,4 +1,4 @@
-#include "analysis/LloydRun.h"
+#include "analysis/plots/LloydRun.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
-#include "analysis/MapPlots.h"
+#include "analysis/plots/MapPlots.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
-#include "analysis/PlotParts.h"
-#include "analysis/ProbePlots.h"
+#include "analysis/plots/PlotParts.h"
+#include "analysis/plots/ProbePlots.h"
 
 namespace umbra {
 namespace {

@@ -1,8 +1,8 @@
 // The depths of the whole map beside those of one region.
 #pragma once
 
-#include "analysis/Plot.h"
-#include "analysis/Probe.h"
+#include "analysis/plots/Plot.h"
+#include "analysis/probe/Probe.h"
 
 namespace umbra {
 

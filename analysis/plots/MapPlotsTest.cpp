@@ -1,12 +1,12 @@
-#include "analysis/MapPlots.h"
+#include "analysis/plots/MapPlots.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numeric>
 
-#include "analysis/TestMaps.h"
-#include "analysis/TestProbes.h"
+#include "analysis/probe/TestMaps.h"
+#include "analysis/probe/TestProbes.h"
 
 namespace umbra {
 namespace {

@@ -1,13 +1,13 @@
-#include "analysis/PlanesForm.h"
+#include "analysis/plots/PlanesForm.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
-#include "analysis/BleedReduction.h"
-#include "analysis/ChebyshevPlots.h"
-#include "analysis/PlotParts.h"
-#include "analysis/ProbePlots.h"
+#include "analysis/errors/BleedReduction.h"
+#include "analysis/plots/ChebyshevPlots.h"
+#include "analysis/plots/PlotParts.h"
+#include "analysis/plots/ProbePlots.h"
 
 namespace umbra {
 namespace {

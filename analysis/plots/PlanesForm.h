@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "analysis/Plot.h"
-#include "analysis/Probe.h"
+#include "analysis/plots/Plot.h"
+#include "analysis/probe/Probe.h"
 
 namespace umbra {
 

@@ -1,9 +1,9 @@
-#include "analysis/PlanesForm.h"
+#include "analysis/plots/PlanesForm.h"
 
 #include <gtest/gtest.h>
 
-#include "analysis/ChebyshevPlots.h"
-#include "analysis/TestProbes.h"
+#include "analysis/plots/ChebyshevPlots.h"
+#include "analysis/probe/TestProbes.h"
 
 namespace umbra {
 namespace {

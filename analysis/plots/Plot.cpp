@@ -1,9 +1,9 @@
-#include "analysis/Plot.h"
+#include "analysis/plots/Plot.h"
 
 #include <algorithm>
 #include <charconv>
 
-#include "filters/core/AtomicFile.h"
+#include "filters/core/support/AtomicFile.h"
 
 namespace umbra {
 namespace {

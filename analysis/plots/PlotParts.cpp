@@ -1,10 +1,10 @@
-#include "analysis/PlotParts.h"
+#include "analysis/plots/PlotParts.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-#include "analysis/ProbePlots.h"
+#include "analysis/plots/ProbePlots.h"
 
 namespace umbra::plot {
 

@@ -1,4 +1,4 @@
-#include "analysis/Plot.h"
+#include "analysis/plots/Plot.h"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,10 @@
 #include <fstream>
 #include <limits>
 
-#include "analysis/ProbePlots.h"
-#include "analysis/TestMaps.h"
-#include "filters/core/Error.h"
-#include "filters/core/Text.h"
+#include "analysis/plots/ProbePlots.h"
+#include "analysis/probe/TestMaps.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {

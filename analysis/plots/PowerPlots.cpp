@@ -1,12 +1,12 @@
-#include "analysis/PowerPlots.h"
+#include "analysis/plots/PowerPlots.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
-#include "analysis/PlotParts.h"
-#include "analysis/ProbePlots.h"
-#include "filters/core/Text.h"
+#include "analysis/plots/PlotParts.h"
+#include "analysis/plots/ProbePlots.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {

@@ -1,8 +1,8 @@
 // The power function that power CDF shadow maps fit to a region's depths, in plots.
 #pragma once
 
-#include "analysis/Plot.h"
-#include "analysis/Probe.h"
+#include "analysis/plots/Plot.h"
+#include "analysis/probe/Probe.h"
 
 namespace umbra {
 

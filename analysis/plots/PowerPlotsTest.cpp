@@ -1,11 +1,11 @@
-#include "analysis/PowerPlots.h"
+#include "analysis/plots/PowerPlots.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/TestProbes.h"
+#include "analysis/probe/TestProbes.h"
 
 namespace umbra {
 namespace {

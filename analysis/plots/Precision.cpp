@@ -1,10 +1,10 @@
-#include "analysis/Precision.h"
+#include "analysis/plots/Precision.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/PlotParts.h"
-#include "analysis/ProbePlots.h"
+#include "analysis/plots/PlotParts.h"
+#include "analysis/plots/ProbePlots.h"
 
 namespace umbra {
 namespace {

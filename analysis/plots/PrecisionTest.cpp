@@ -1,10 +1,10 @@
-#include "analysis/Precision.h"
+#include "analysis/plots/Precision.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "analysis/TestMaps.h"
+#include "analysis/probe/TestMaps.h"
 
 namespace umbra {
 namespace {

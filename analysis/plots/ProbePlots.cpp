@@ -1,11 +1,11 @@
-#include "analysis/ProbePlots.h"
+#include "analysis/plots/ProbePlots.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/PlotParts.h"
-#include "analysis/PowerPlots.h"
-#include "filters/core/Text.h"
+#include "analysis/plots/PlotParts.h"
+#include "analysis/plots/PowerPlots.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 

@@ -1,10 +1,10 @@
-#include "analysis/RadiusSweep.h"
+#include "analysis/plots/RadiusSweep.h"
 
 #include <optional>
 #include <string>
 
-#include "analysis/PlotParts.h"
-#include "analysis/ProbePlots.h"
+#include "analysis/plots/PlotParts.h"
+#include "analysis/plots/ProbePlots.h"
 
 namespace umbra {
 namespace {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/Plot.h"
-#include "analysis/Probe.h"
+#include "analysis/plots/Plot.h"
+#include "analysis/probe/Probe.h"
 
 namespace umbra {
 

@@ -1,10 +1,10 @@
-#include "analysis/RadiusSweep.h"
+#include "analysis/plots/RadiusSweep.h"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
-#include "analysis/TestMaps.h"
+#include "analysis/probe/TestMaps.h"
 
 namespace umbra {
 namespace {

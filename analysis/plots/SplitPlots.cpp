@@ -1,10 +1,10 @@
-#include "analysis/SplitPlots.h"
+#include "analysis/plots/SplitPlots.h"
 
 #include <algorithm>
 #include <string>
 
-#include "analysis/ProbePlots.h"
-#include "filters/core/Text.h"
+#include "analysis/plots/ProbePlots.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {

@@ -1,4 +1,4 @@
-#include "analysis/SplitPlots.h"
+#include "analysis/plots/SplitPlots.h"
 
 #include <gtest/gtest.h>
 

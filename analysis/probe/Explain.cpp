@@ -1,8 +1,8 @@
-#include "analysis/Explain.h"
+#include "analysis/probe/Explain.h"
 
 #include <algorithm>
 
-#include "filters/core/Text.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {

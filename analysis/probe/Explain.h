@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "analysis/Probe.h"
-#include "filters/core/Trace.h"
+#include "analysis/probe/Probe.h"
+#include "filters/core/technique/Trace.h"
 
 namespace umbra {
 

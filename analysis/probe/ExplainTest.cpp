@@ -1,10 +1,10 @@
-#include "analysis/Explain.h"
+#include "analysis/probe/Explain.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "analysis/TestMaps.h"
+#include "analysis/probe/TestMaps.h"
 
 namespace umbra {
 namespace {

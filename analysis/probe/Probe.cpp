@@ -1,11 +1,11 @@
-#include "analysis/Probe.h"
+#include "analysis/probe/Probe.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "filters/core/Composition.h"
-#include "filters/core/Prefilter.h"
+#include "filters/core/prefilter/Prefilter.h"
+#include "filters/core/technique/Composition.h"
 
 namespace umbra {
 namespace {

@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "filters/core/Cascades.h"
-#include "filters/core/FrameSettings.h"
-#include "filters/core/Region.h"
-#include "filters/core/Technique.h"
+#include "filters/core/maps/Cascades.h"
+#include "filters/core/maps/Region.h"
+#include "filters/core/settings/FrameSettings.h"
+#include "filters/core/technique/Technique.h"
 
 namespace umbra {
 

@@ -1,6 +1,6 @@
-#include "analysis/ProbeSheet.h"
+#include "analysis/probe/ProbeSheet.h"
 
-#include "filters/core/Parameters.h"
+#include "filters/core/support/Parameters.h"
 
 namespace umbra {
 namespace {

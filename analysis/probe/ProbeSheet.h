@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/Probe.h"
+#include "analysis/probe/Probe.h"
 
 namespace umbra {
 

@@ -1,4 +1,4 @@
-#include "analysis/ProbeSheet.h"
+#include "analysis/probe/ProbeSheet.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "analysis/Probe.h"
+#include "analysis/probe/Probe.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "analysis/TestMaps.h"
-#include "filters/core/Error.h"
-#include "filters/core/Prefilter.h"
+#include "analysis/probe/TestMaps.h"
+#include "filters/core/prefilter/Prefilter.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

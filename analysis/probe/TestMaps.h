@@ -5,8 +5,8 @@
 #include <random>
 #include <vector>
 
-#include "filters/core/Image.h"
-#include "filters/core/TechniqueCatalogue.h"
+#include "filters/core/maps/Image.h"
+#include "filters/core/technique/TechniqueCatalogue.h"
 
 namespace umbra {
 

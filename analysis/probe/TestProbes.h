@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/Probe.h"
-#include "filters/core/Prefilter.h"
-#include "filters/core/TechniqueCatalogue.h"
+#include "analysis/probe/Probe.h"
+#include "filters/core/prefilter/Prefilter.h"
+#include "filters/core/technique/TechniqueCatalogue.h"
 
 namespace umbra {
 

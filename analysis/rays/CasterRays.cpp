@@ -1,6 +1,10 @@
-#include "analysis/CasterRays.h"
+#include "analysis/rays/CasterRays.h"
 
+#if UMBRA_EMBREE >= 4
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 
 #include <algorithm>
 #include <cstring>
@@ -8,7 +12,7 @@
 #include <string>
 #include <type_traits>
 
-#include "filters/core/Error.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {
@@ -45,6 +49,17 @@ void rejectFrontFaces(const RTCFilterFunctionNArguments* arguments) {
     if (hit.Ng_x * ray.dir_x + hit.Ng_y * ray.dir_y + hit.Ng_z * ray.dir_z < 0.0f)
       arguments->valid[i] = 0;
   }
+}
+
+// Embree 3 and 4 differ in what else a ray is traced with, which is nothing here.
+void intersect(RTCScene scene, RTCRayHit& ray) {
+#if UMBRA_EMBREE >= 4
+  rtcIntersect1(scene, &ray);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(scene, &context, &ray);
+#endif
 }
 
 Geometry geometryOf(RTCDevice device, const Mesh& mesh, bool cullFrontFaces) {
@@ -88,8 +103,6 @@ class CasterRays::Implementation {
 
   // Along `direction`, unit; infinite where nothing is met.
   double distance(const Vector3d& origin, const Vector3d& direction) const {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
     RTCRayHit ray{};
     ray.ray.org_x = float(origin.x());
     ray.ray.org_y = float(origin.y());
@@ -100,7 +113,7 @@ class CasterRays::Implementation {
     ray.ray.tfar = std::numeric_limits<float>::infinity();
     ray.ray.mask = ~0u;
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(tracer_.get(), &context, &ray);
+    intersect(tracer_.get(), ray);
     return ray.hit.geomID == RTC_INVALID_GEOMETRY_ID ? std::numeric_limits<double>::infinity()
                                                      : ray.ray.tfar;
   }

@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "filters/core/Light.h"
-#include "filters/core/Scene.h"
+#include "filters/core/scene/Light.h"
+#include "filters/core/scene/Scene.h"
 
 namespace umbra {
 

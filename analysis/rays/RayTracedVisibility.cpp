@@ -1,4 +1,4 @@
-#include "analysis/RayTracedVisibility.h"
+#include "analysis/rays/RayTracedVisibility.h"
 
 #include <algorithm>
 #include <cassert>

@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "analysis/CasterRays.h"
-#include "filters/core/Cascades.h"
-#include "filters/core/Region.h"
+#include "analysis/rays/CasterRays.h"
+#include "filters/core/maps/Cascades.h"
+#include "filters/core/maps/Region.h"
 
 namespace umbra {
 

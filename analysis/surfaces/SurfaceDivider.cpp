@@ -1,4 +1,4 @@
-#include "analysis/SurfaceDivider.h"
+#include "analysis/surfaces/SurfaceDivider.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "analysis/SurfaceMesh.h"
+#include "analysis/surfaces/SurfaceMesh.h"
 
 namespace umbra {
 

@@ -1,12 +1,12 @@
-#include "analysis/SurfaceErrors.h"
+#include "analysis/surfaces/SurfaceErrors.h"
 
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
 
-#include "analysis/ManyReads.h"
-#include "analysis/Metrics.h"
-#include "filters/core/ReceiverBias.h"
+#include "analysis/errors/Metrics.h"
+#include "analysis/frame/ManyReads.h"
+#include "filters/core/maps/ReceiverBias.h"
 
 namespace umbra {
 namespace {

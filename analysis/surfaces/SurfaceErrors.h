@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "analysis/SurfaceMesh.h"
-#include "filters/core/FieldMesh.h"
-#include "filters/core/FrameSettings.h"
-#include "filters/core/Image.h"
-#include "filters/core/Technique.h"
+#include "analysis/surfaces/SurfaceMesh.h"
+#include "filters/core/maps/Image.h"
+#include "filters/core/scene/FieldMesh.h"
+#include "filters/core/settings/FrameSettings.h"
+#include "filters/core/technique/Technique.h"
 
 namespace umbra {
 

@@ -1,13 +1,13 @@
-#include "analysis/SurfaceErrors.h"
+#include "analysis/surfaces/SurfaceErrors.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "analysis/Metrics.h"
-#include "analysis/PlanesForm.h"
-#include "datasets/SceneCatalogue.h"
-#include "filters/core/TechniqueCatalogue.h"
+#include "analysis/errors/Metrics.h"
+#include "analysis/plots/PlanesForm.h"
+#include "datasets/scenes/SceneCatalogue.h"
+#include "filters/core/technique/TechniqueCatalogue.h"
 
 namespace umbra {
 namespace {

@@ -1,7 +1,7 @@
-#include "analysis/SurfaceMesh.h"
+#include "analysis/surfaces/SurfaceMesh.h"
 
-#include "analysis/SurfaceDivider.h"
-#include "filters/core/ClosedBody.h"
+#include "analysis/surfaces/SurfaceDivider.h"
+#include "filters/core/scene/ClosedBody.h"
 
 namespace umbra {
 namespace {

@@ -7,8 +7,8 @@
 #include <functional>
 #include <vector>
 
-#include "filters/core/Light.h"
-#include "filters/core/Scene.h"
+#include "filters/core/scene/Light.h"
+#include "filters/core/scene/Scene.h"
 
 namespace umbra {
 

@@ -1,10 +1,10 @@
-#include "analysis/SurfaceMesh.h"
+#include "analysis/surfaces/SurfaceMesh.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "filters/core/ClosedBody.h"
+#include "filters/core/scene/ClosedBody.h"
 
 namespace umbra {
 namespace {

@@ -1,12 +1,12 @@
-#include "analysis/SurfaceRead.h"
+#include "analysis/surfaces/SurfaceRead.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "filters/core/MipLevels.h"
-#include "filters/core/ReceiverBias.h"
+#include "filters/core/maps/MipLevels.h"
+#include "filters/core/maps/ReceiverBias.h"
 
 namespace umbra {
 namespace {

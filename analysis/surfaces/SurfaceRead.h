@@ -7,11 +7,11 @@
 #include <variant>
 #include <vector>
 
-#include "analysis/SurfaceSpot.h"
-#include "filters/core/Camera.h"
-#include "filters/core/Cascades.h"
-#include "filters/core/FrameSettings.h"
-#include "filters/core/SurfacePoint.h"
+#include "analysis/surfaces/SurfaceSpot.h"
+#include "filters/core/maps/Cascades.h"
+#include "filters/core/maps/SurfacePoint.h"
+#include "filters/core/scene/Camera.h"
+#include "filters/core/settings/FrameSettings.h"
 
 namespace umbra {
 

@@ -1,11 +1,11 @@
-#include "analysis/SurfaceRead.h"
+#include "analysis/surfaces/SurfaceRead.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "analysis/SurfaceSpot.h"
+#include "analysis/surfaces/SurfaceSpot.h"
 
 namespace umbra {
 namespace {

@@ -1,9 +1,9 @@
-#include "analysis/SurfaceSpot.h"
+#include "analysis/surfaces/SurfaceSpot.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "filters/core/ClosedBody.h"
+#include "filters/core/scene/ClosedBody.h"
 
 namespace umbra {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "filters/core/Scene.h"
+#include "filters/core/scene/Scene.h"
 
 namespace umbra {
 

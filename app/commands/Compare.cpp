@@ -1,21 +1,21 @@
 #include <memory>
 #include <optional>
 
-#include "analysis/CompareMap.h"
-#include "app/Cancellation.h"
-#include "app/CompareFiles.h"
-#include "app/FrameDecomposition.h"
-#include "app/RayTracedFrame.h"
-#include "app/Reports.h"
-#include "app/SceneCompare.h"
-#include "app/SceneSources.h"
-#include "app/SurfaceCompare.h"
-#include "app/TechniqueSet.h"
+#include "analysis/errors/CompareMap.h"
 #include "app/commands/Commands.h"
 #include "app/display/DisplayLibrary.h"
+#include "app/frames/FrameDecomposition.h"
+#include "app/frames/RayTracedFrame.h"
+#include "app/frames/SceneCompare.h"
+#include "app/frames/SurfaceCompare.h"
+#include "app/frames/TechniqueSet.h"
 #include "app/options/OptionValues.h"
+#include "app/options/SceneSources.h"
 #include "app/options/SessionOptions.h"
-#include "filters/core/Error.h"
+#include "app/output/Cancellation.h"
+#include "app/reports/CompareFiles.h"
+#include "app/reports/Reports.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

@@ -1,16 +1,16 @@
 #include <memory>
 #include <optional>
 
-#include "app/Cancellation.h"
-#include "app/ChannelFile.h"
-#include "app/Output.h"
-#include "app/SceneSources.h"
-#include "app/TechniqueSet.h"
 #include "app/commands/Commands.h"
 #include "app/display/DisplayLibrary.h"
+#include "app/frames/TechniqueSet.h"
+#include "app/options/SceneSources.h"
 #include "app/options/SessionOptions.h"
-#include "filters/core/Error.h"
-#include "filters/core/Prefilter.h"
+#include "app/output/Cancellation.h"
+#include "app/output/ChannelFile.h"
+#include "app/output/Output.h"
+#include "filters/core/prefilter/Prefilter.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

@@ -2,17 +2,17 @@
 #include <memory>
 #include <string>
 
-#include "app/LessonPage.h"
-#include "app/LessonSteps.h"
-#include "app/Output.h"
-#include "app/Table.h"
 #include "app/commands/Commands.h"
 #include "app/display/DisplayLibrary.h"
+#include "app/lessons/LessonPage.h"
+#include "app/lessons/LessonSteps.h"
 #include "app/options/OptionValues.h"
-#include "datasets/LessonCatalogue.h"
-#include "filters/core/AtomicFile.h"
-#include "filters/core/Error.h"
-#include "filters/core/Text.h"
+#include "app/output/Output.h"
+#include "app/output/Table.h"
+#include "datasets/lessons/LessonCatalogue.h"
+#include "filters/core/support/AtomicFile.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {

@@ -1,20 +1,21 @@
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 
-#include "app/FrameReads.h"
-#include "app/NamedProbes.h"
-#include "app/ProbeFiles.h"
-#include "app/RayTracedFrame.h"
-#include "app/Reports.h"
-#include "app/SceneProbe.h"
-#include "app/SceneSources.h"
-#include "app/TechniqueSet.h"
 #include "app/commands/Commands.h"
 #include "app/display/DisplayLibrary.h"
+#include "app/frames/FrameReads.h"
+#include "app/frames/NamedProbes.h"
+#include "app/frames/RayTracedFrame.h"
+#include "app/frames/SceneProbe.h"
+#include "app/frames/TechniqueSet.h"
 #include "app/options/OptionValues.h"
+#include "app/options/SceneSources.h"
 #include "app/options/SessionOptions.h"
-#include "filters/core/Error.h"
-#include "filters/core/Text.h"
+#include "app/reports/ProbeFiles.h"
+#include "app/reports/Reports.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {

@@ -5,17 +5,17 @@
 
 #include <spdlog/spdlog.h>
 
-#include "app/Cancellation.h"
-#include "app/FrameLayers.h"
-#include "app/Output.h"
-#include "app/SceneSources.h"
-#include "app/TechniqueSet.h"
 #include "app/commands/Commands.h"
 #include "app/display/DisplayLibrary.h"
+#include "app/frames/FrameLayers.h"
+#include "app/frames/TechniqueSet.h"
+#include "app/options/SceneSources.h"
 #include "app/options/SessionOptions.h"
-#include "datasets/PaneLabels.h"
-#include "filters/core/Composition.h"
-#include "filters/core/Error.h"
+#include "app/output/Cancellation.h"
+#include "app/output/Output.h"
+#include "datasets/session/PaneLabels.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/technique/Composition.h"
 
 namespace umbra {
 namespace {

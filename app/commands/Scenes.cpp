@@ -1,10 +1,11 @@
 #include <memory>
+#include <nlohmann/json.hpp>
 
-#include "app/Reports.h"
-#include "app/Table.h"
 #include "app/commands/Commands.h"
-#include "datasets/SceneCatalogue.h"
-#include "filters/core/Text.h"
+#include "app/output/Table.h"
+#include "app/reports/Reports.h"
+#include "datasets/scenes/SceneCatalogue.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {

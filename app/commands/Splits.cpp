@@ -1,20 +1,21 @@
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 
-#include "analysis/SplitPlots.h"
-#include "app/Cancellation.h"
-#include "app/PlotFiles.h"
-#include "app/Reports.h"
-#include "app/SceneSources.h"
-#include "app/TechniqueSet.h"
+#include "analysis/plots/SplitPlots.h"
 #include "app/commands/Commands.h"
 #include "app/display/DisplayLibrary.h"
+#include "app/frames/TechniqueSet.h"
 #include "app/options/OptionValues.h"
+#include "app/options/SceneSources.h"
 #include "app/options/SessionOptions.h"
-#include "filters/core/AtomicFile.h"
-#include "filters/core/Error.h"
-#include "filters/core/Text.h"
-#include "filters/core/Lloyd.h"
+#include "app/output/Cancellation.h"
+#include "app/output/PlotFiles.h"
+#include "app/reports/Reports.h"
+#include "filters/core/support/AtomicFile.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/support/Text.h"
+#include "filters/core/technique/Lloyd.h"
 
 namespace umbra {
 namespace {

@@ -1,10 +1,11 @@
 #include <memory>
+#include <nlohmann/json.hpp>
 
-#include "app/Reports.h"
-#include "app/Table.h"
 #include "app/commands/Commands.h"
-#include "filters/core/TechniqueCatalogue.h"
-#include "filters/core/TechniquePage.h"
+#include "app/output/Table.h"
+#include "app/reports/Reports.h"
+#include "filters/core/technique/TechniqueCatalogue.h"
+#include "filters/core/technique/TechniquePage.h"
 
 namespace umbra {
 namespace {

@@ -1,16 +1,17 @@
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "app/Cancellation.h"
-#include "app/ProbeFiles.h"
-#include "app/SceneProbe.h"
-#include "app/SceneSources.h"
-#include "app/TechniqueSet.h"
 #include "app/commands/Commands.h"
 #include "app/display/DisplayLibrary.h"
+#include "app/frames/SceneProbe.h"
+#include "app/frames/TechniqueSet.h"
+#include "app/options/SceneSources.h"
 #include "app/options/SessionOptions.h"
+#include "app/output/Cancellation.h"
+#include "app/reports/ProbeFiles.h"
 
 namespace umbra {
 namespace {

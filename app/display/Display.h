@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/Plot.h"
-#include "datasets/Session.h"
-#include "filters/core/FieldMesh.h"
+#include "analysis/plots/Plot.h"
+#include "datasets/session/Session.h"
+#include "filters/core/scene/FieldMesh.h"
 #include "filters/gpu/ShadowRenderer.h"
 
 namespace umbra {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "filters/core/Error.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 

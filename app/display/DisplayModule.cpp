@@ -10,8 +10,8 @@
 #include "app/display/RendererFrame.h"
 #include "app/display/VtkMessages.h"
 #include "filters/gpu/VtpFile.h"
-#include "ui/PlotRenderer.h"
-#include "ui/RunWindow.h"
+#include "ui/plots/PlotRenderer.h"
+#include "ui/window/RunWindow.h"
 
 namespace umbra {
 namespace {

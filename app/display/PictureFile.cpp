@@ -7,8 +7,8 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "filters/core/AtomicFile.h"
-#include "filters/core/Error.h"
+#include "filters/core/support/AtomicFile.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

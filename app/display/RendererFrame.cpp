@@ -2,7 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
-#include "analysis/WorstPixel.h"
+#include "analysis/errors/WorstPixel.h"
 #include "filters/gpu/HeadlessWindow.h"
 
 namespace umbra {

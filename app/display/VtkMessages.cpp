@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "filters/core/Error.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

@@ -1,8 +1,8 @@
-#include "app/FrameDecomposition.h"
+#include "app/frames/FrameDecomposition.h"
 
-#include "analysis/FrameDecomposition.h"
-#include "app/Cancellation.h"
-#include "app/FrameReads.h"
+#include "analysis/errors/FrameDecomposition.h"
+#include "app/frames/FrameReads.h"
+#include "app/output/Cancellation.h"
 
 namespace umbra {
 

@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "analysis/ErrorDecomposition.h"
-#include "app/ChannelFile.h"
+#include "analysis/errors/ErrorDecomposition.h"
 #include "app/display/Display.h"
+#include "app/output/ChannelFile.h"
 
 namespace umbra {
 

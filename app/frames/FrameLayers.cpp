@@ -1,11 +1,11 @@
-#include "app/FrameLayers.h"
+#include "app/frames/FrameLayers.h"
 
 #include <array>
 #include <cmath>
 #include <string>
 #include <utility>
 
-#include "analysis/ReceiverPixels.h"
+#include "analysis/frame/ReceiverPixels.h"
 
 namespace umbra {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "app/ChannelFile.h"
 #include "app/display/Display.h"
+#include "app/output/ChannelFile.h"
 
 namespace umbra {
 

@@ -1,4 +1,4 @@
-#include "app/FrameReads.h"
+#include "app/frames/FrameReads.h"
 
 namespace umbra {
 

@@ -1,7 +1,7 @@
 // What the pixels of a headless frame read.
 #pragma once
 
-#include "analysis/DrawnFrame.h"
+#include "analysis/frame/DrawnFrame.h"
 #include "app/display/Display.h"
 
 namespace umbra {

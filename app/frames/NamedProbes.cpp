@@ -1,9 +1,11 @@
-#include "app/NamedProbes.h"
+#include "app/frames/NamedProbes.h"
 
-#include "app/Table.h"
-#include "filters/core/AtomicFile.h"
-#include "filters/core/Error.h"
-#include "filters/core/Text.h"
+#include <nlohmann/json.hpp>
+
+#include "app/output/Table.h"
+#include "filters/core/support/AtomicFile.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {

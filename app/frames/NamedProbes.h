@@ -5,18 +5,18 @@
 #include <string>
 #include <vector>
 
-#include "analysis/ProbeSheet.h"
-#include "app/Output.h"
-#include "app/SceneProbe.h"
-#include "datasets/Session.h"
+#include "analysis/probe/ProbeSheet.h"
+#include "app/frames/SceneProbe.h"
+#include "app/output/Output.h"
+#include "datasets/session/Session.h"
 
 namespace umbra {
 
 struct NamedResult {
   NamedProbe kept;
   std::optional<Probe> probe;
-  Json json;           // as of a single probe; null without one
-  std::string reason;  // why there is none
+  Json json;                    // as of a single probe; null without one
+  std::string reason;           // why there is none
   std::optional<double> truth;  // that errors are against, if it is not the probe's own reference
 };
 

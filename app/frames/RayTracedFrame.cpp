@@ -1,11 +1,11 @@
-#include "app/RayTracedFrame.h"
+#include "app/frames/RayTracedFrame.h"
 
 #include <algorithm>
 
-#include "analysis/EveryCore.h"
-#include "analysis/ReceiverPixels.h"
-#include "app/Cancellation.h"
-#include "app/FrameReads.h"
+#include "analysis/frame/EveryCore.h"
+#include "analysis/frame/ReceiverPixels.h"
+#include "app/frames/FrameReads.h"
+#include "app/output/Cancellation.h"
 
 namespace umbra {
 namespace {

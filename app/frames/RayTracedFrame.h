@@ -1,8 +1,8 @@
 // The ray-traced truth of a rendered frame.
 #pragma once
 
-#include "analysis/Probe.h"
-#include "analysis/RayTracedVisibility.h"
+#include "analysis/probe/Probe.h"
+#include "analysis/rays/RayTracedVisibility.h"
 #include "app/display/Display.h"
 
 namespace umbra {

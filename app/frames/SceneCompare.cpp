@@ -1,4 +1,4 @@
-#include "app/SceneCompare.h"
+#include "app/frames/SceneCompare.h"
 
 namespace umbra {
 namespace {

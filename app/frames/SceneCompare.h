@@ -1,9 +1,9 @@
 // Techniques against the reference over all pixels of a frame.
 #pragma once
 
-#include "app/RayTracedFrame.h"
-#include "app/Reports.h"
 #include "app/display/Display.h"
+#include "app/frames/RayTracedFrame.h"
+#include "app/reports/Reports.h"
 
 namespace umbra {
 

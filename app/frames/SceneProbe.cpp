@@ -1,12 +1,14 @@
-#include "app/SceneProbe.h"
+#include "app/frames/SceneProbe.h"
 
-#include "analysis/ReceiverPixels.h"
-#include "analysis/SurfaceRead.h"
-#include "analysis/SurfaceSpot.h"
-#include "app/Cancellation.h"
-#include "app/FrameReads.h"
-#include "app/Reports.h"
-#include "filters/core/Error.h"
+#include <nlohmann/json.hpp>
+
+#include "analysis/frame/ReceiverPixels.h"
+#include "analysis/surfaces/SurfaceRead.h"
+#include "analysis/surfaces/SurfaceSpot.h"
+#include "app/frames/FrameReads.h"
+#include "app/output/Cancellation.h"
+#include "app/reports/Reports.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

@@ -1,12 +1,12 @@
-#include "app/SurfaceCompare.h"
+#include "app/frames/SurfaceCompare.h"
 
 #include <spdlog/spdlog.h>
 
-#include "app/Cancellation.h"
 #include "app/options/OptionValues.h"
-#include "datasets/FieldMeshPly.h"
-#include "filters/core/Error.h"
-#include "filters/core/Text.h"
+#include "app/output/Cancellation.h"
+#include "datasets/meshes/FieldMeshPly.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 

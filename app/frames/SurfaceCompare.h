@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "analysis/SurfaceErrors.h"
+#include "analysis/surfaces/SurfaceErrors.h"
 #include "app/display/Display.h"
 
 namespace umbra {

@@ -1,9 +1,9 @@
-#include "app/TechniqueSet.h"
+#include "app/frames/TechniqueSet.h"
 
 #include <spdlog/spdlog.h>
 
-#include "filters/core/Composition.h"
-#include "filters/core/Error.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/technique/Composition.h"
 
 namespace umbra {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "app/options/SessionOptions.h"
-#include "datasets/Session.h"
-#include "filters/core/Technique.h"
+#include "datasets/session/Session.h"
+#include "filters/core/technique/Technique.h"
 
 namespace umbra {
 

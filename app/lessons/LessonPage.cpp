@@ -1,14 +1,14 @@
-#include "app/LessonPage.h"
+#include "app/lessons/LessonPage.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/Measure.h"
-#include "analysis/ProbePlots.h"
-#include "app/LessonPageStyle.h"
-#include "app/Markdown.h"
-#include "app/SceneSources.h"
-#include "filters/core/Text.h"
+#include "analysis/errors/Measure.h"
+#include "analysis/plots/ProbePlots.h"
+#include "app/lessons/LessonPageStyle.h"
+#include "app/lessons/Markdown.h"
+#include "app/options/SceneSources.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/LessonSteps.h"
+#include "app/lessons/LessonSteps.h"
 
 namespace umbra {
 

@@ -1,12 +1,12 @@
-#include "app/LessonSteps.h"
+#include "app/lessons/LessonSteps.h"
 
 #include <algorithm>
 
-#include "analysis/BleedReduction.h"
-#include "analysis/Measure.h"
-#include "app/Cancellation.h"
-#include "app/SceneSources.h"
-#include "filters/core/Error.h"
+#include "analysis/errors/BleedReduction.h"
+#include "analysis/errors/Measure.h"
+#include "app/options/SceneSources.h"
+#include "app/output/Cancellation.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "analysis/Metrics.h"
-#include "app/SceneProbe.h"
+#include "analysis/errors/Metrics.h"
 #include "app/display/Display.h"
-#include "datasets/Lesson.h"
+#include "app/frames/SceneProbe.h"
+#include "datasets/lessons/Lesson.h"
 
 namespace umbra {
 

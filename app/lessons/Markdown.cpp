@@ -1,9 +1,9 @@
-#include "app/Markdown.h"
+#include "app/lessons/Markdown.h"
 
 #include <array>
 #include <vector>
 
-#include "filters/core/Text.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "filters/core/Error.h"
-#include "filters/core/Text.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <utility>
 
-#include "datasets/Session.h"
-#include "filters/core/Light.h"
-#include "filters/core/Scene.h"
+#include "datasets/session/Session.h"
+#include "filters/core/scene/Light.h"
+#include "filters/core/scene/Scene.h"
 
 namespace umbra {
 

@@ -1,4 +1,4 @@
-#include "app/SceneSources.h"
+#include "app/options/SceneSources.h"
 
 #include <spdlog/spdlog.h>
 
@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "app/options/OptionValues.h"
-#include "datasets/LoadSource.h"
-#include "datasets/SceneCatalogue.h"
-#include "filters/core/Error.h"
-#include "filters/core/Text.h"
+#include "datasets/scenes/SceneCatalogue.h"
+#include "datasets/session/LoadSource.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 

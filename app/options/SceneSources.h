@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "datasets/Session.h"
+#include "datasets/session/Session.h"
 
 namespace umbra {
 

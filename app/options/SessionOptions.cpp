@@ -4,12 +4,12 @@
 #include <filesystem>
 #include <system_error>
 
-#include "app/SceneSources.h"
 #include "app/options/OptionValues.h"
-#include "datasets/DepthFile.h"
-#include "datasets/SessionFile.h"
-#include "filters/core/Error.h"
-#include "filters/core/Text.h"
+#include "app/options/SceneSources.h"
+#include "datasets/maps/DepthFile.h"
+#include "datasets/session/file/SessionFile.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "datasets/Session.h"
+#include "datasets/session/Session.h"
 
 namespace umbra {
 

@@ -1,8 +1,8 @@
-#include "app/Cancellation.h"
+#include "app/output/Cancellation.h"
 
 #include <signal.h>
 
-#include "filters/core/Error.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

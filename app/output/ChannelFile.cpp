@@ -1,7 +1,7 @@
-#include "app/ChannelFile.h"
+#include "app/output/ChannelFile.h"
 
-#include "datasets/DepthFile.h"
-#include "datasets/SessionFile.h"
+#include "datasets/maps/DepthFile.h"
+#include "datasets/session/file/SessionFile.h"
 
 namespace umbra {
 namespace {

@@ -6,8 +6,8 @@
 #include <map>
 #include <string>
 
-#include "datasets/Session.h"
-#include "filters/core/Image.h"
+#include "datasets/session/Session.h"
+#include "filters/core/maps/Image.h"
 
 namespace umbra {
 

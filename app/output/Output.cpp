@@ -1,11 +1,11 @@
-#include "app/Output.h"
+#include "app/output/Output.h"
 
 #include <unistd.h>
 
 #include <iostream>
 #include <system_error>
 
-#include "filters/core/Error.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 

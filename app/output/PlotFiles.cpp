@@ -1,6 +1,6 @@
-#include "app/PlotFiles.h"
+#include "app/output/PlotFiles.h"
 
-#include "app/Cancellation.h"
+#include "app/output/Cancellation.h"
 
 namespace umbra {
 

@@ -3,9 +3,9 @@
 
 #include <span>
 
-#include "analysis/Plot.h"
-#include "app/Output.h"
+#include "analysis/plots/Plot.h"
 #include "app/display/Display.h"
+#include "app/output/Output.h"
 
 namespace umbra {
 

@@ -1,4 +1,4 @@
-#include "app/Table.h"
+#include "app/output/Table.h"
 
 #include <algorithm>
 

@@ -1,9 +1,11 @@
-#include "app/CompareFiles.h"
+#include "app/reports/CompareFiles.h"
 
-#include "app/SurfaceReport.h"
-#include "app/Table.h"
-#include "filters/core/AtomicFile.h"
-#include "filters/core/Text.h"
+#include <nlohmann/json.hpp>
+
+#include "app/output/Table.h"
+#include "app/reports/SurfaceReport.h"
+#include "filters/core/support/AtomicFile.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {

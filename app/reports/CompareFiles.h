@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/Output.h"
-#include "app/Reports.h"
+#include "app/output/Output.h"
+#include "app/reports/Reports.h"
 
 namespace umbra {
 

@@ -1,16 +1,17 @@
-#include "app/ProbeFiles.h"
+#include "app/reports/ProbeFiles.h"
 
 #include <iterator>
+#include <nlohmann/json.hpp>
 
-#include "analysis/Explain.h"
-#include "analysis/ExplainingPlots.h"
-#include "analysis/ProbePlots.h"
-#include "app/Cancellation.h"
-#include "app/PlotFiles.h"
-#include "app/Table.h"
-#include "datasets/SceneCatalogue.h"
-#include "filters/core/AtomicFile.h"
-#include "filters/core/Text.h"
+#include "analysis/plots/ExplainingPlots.h"
+#include "analysis/plots/ProbePlots.h"
+#include "analysis/probe/Explain.h"
+#include "app/output/Cancellation.h"
+#include "app/output/PlotFiles.h"
+#include "app/output/Table.h"
+#include "datasets/scenes/SceneCatalogue.h"
+#include "filters/core/support/AtomicFile.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/Probe.h"
-#include "app/Output.h"
+#include "analysis/probe/Probe.h"
 #include "app/display/Display.h"
+#include "app/output/Output.h"
 
 namespace umbra {
 

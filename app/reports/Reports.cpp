@@ -1,9 +1,10 @@
-#include "app/Reports.h"
+#include "app/reports/Reports.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
-#include "analysis/Explain.h"
-#include "app/SurfaceReport.h"
+#include "analysis/probe/Explain.h"
+#include "app/reports/SurfaceReport.h"
 
 namespace umbra {
 namespace {

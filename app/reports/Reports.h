@@ -5,16 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "analysis/BleedReduction.h"
-#include "analysis/ErrorDecomposition.h"
-#include "analysis/Metrics.h"
-#include "analysis/Probe.h"
-#include "analysis/SurfaceErrors.h"
-#include "app/Output.h"
-#include "datasets/SceneCatalogue.h"
-#include "datasets/SessionFile.h"
-#include "filters/core/Parameters.h"
-#include "filters/core/Technique.h"
+#include "analysis/errors/BleedReduction.h"
+#include "analysis/errors/ErrorDecomposition.h"
+#include "analysis/errors/Metrics.h"
+#include "analysis/probe/Probe.h"
+#include "analysis/surfaces/SurfaceErrors.h"
+#include "app/output/Output.h"
+#include "datasets/scenes/SceneCatalogue.h"
+#include "datasets/session/file/SessionFile.h"
+#include "filters/core/support/Parameters.h"
+#include "filters/core/technique/Technique.h"
 
 namespace umbra {
 

@@ -1,8 +1,10 @@
-#include "app/SurfaceReport.h"
+#include "app/reports/SurfaceReport.h"
 
-#include "analysis/Metrics.h"
-#include "app/Table.h"
-#include "filters/core/Text.h"
+#include <nlohmann/json.hpp>
+
+#include "analysis/errors/Metrics.h"
+#include "app/output/Table.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {

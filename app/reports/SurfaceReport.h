@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/SurfaceErrors.h"
-#include "app/Output.h"
-#include "app/Reports.h"
+#include "analysis/surfaces/SurfaceErrors.h"
+#include "app/output/Output.h"
+#include "app/reports/Reports.h"
 
 namespace umbra {
 

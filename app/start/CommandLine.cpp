@@ -1,4 +1,4 @@
-#include "app/CommandLine.h"
+#include "app/start/CommandLine.h"
 
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
@@ -12,14 +12,14 @@
 #include <string>
 #include <vector>
 
-#include "app/Cancellation.h"
-#include "app/HelpLayout.h"
-#include "app/OpenWindow.h"
-#include "app/Output.h"
 #include "app/commands/Commands.h"
 #include "app/options/SessionOptions.h"
-#include "filters/core/Error.h"
-#include "filters/core/Text.h"
+#include "app/output/Cancellation.h"
+#include "app/output/Output.h"
+#include "app/start/HelpLayout.h"
+#include "app/start/OpenWindow.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/HelpLayout.h"
+#include "app/start/HelpLayout.h"
 
 namespace umbra {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/CommandLine.h"
+#include "app/start/CommandLine.h"
 
 int main(int argc, char** argv) {
   return umbra::runCommandLine(argc, argv);

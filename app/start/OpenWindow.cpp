@@ -1,16 +1,16 @@
-#include "app/OpenWindow.h"
+#include "app/start/OpenWindow.h"
 
 #include <filesystem>
 #include <vector>
 
-#include "app/SceneSources.h"
-#include "app/WindowSystem.h"
 #include "app/display/DisplayLibrary.h"
-#include "datasets/DepthFile.h"
-#include "datasets/SceneCatalogue.h"
-#include "datasets/SessionFile.h"
-#include "filters/core/Error.h"
-#include "filters/core/Text.h"
+#include "app/options/SceneSources.h"
+#include "app/start/WindowSystem.h"
+#include "datasets/maps/DepthFile.h"
+#include "datasets/scenes/SceneCatalogue.h"
+#include "datasets/session/file/SessionFile.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 

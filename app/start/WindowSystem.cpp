@@ -1,4 +1,4 @@
-#include "app/WindowSystem.h"
+#include "app/start/WindowSystem.h"
 
 #include <dlfcn.h>
 

@@ -1,4 +1,4 @@
-#include "datasets/Lesson.h"
+#include "datasets/lessons/Lesson.h"
 
 #include <algorithm>
 #include <cmath>

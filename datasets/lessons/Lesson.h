@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "datasets/Session.h"
-#include "filters/core/Quantity.h"
+#include "datasets/session/Session.h"
+#include "filters/core/support/Quantity.h"
 
 namespace umbra {
 

@@ -1,9 +1,9 @@
-#include "datasets/LessonCatalogue.h"
+#include "datasets/lessons/LessonCatalogue.h"
 
-#include "datasets/EmbeddedLessons.h"
-#include "datasets/LessonFile.h"
-#include "filters/core/Error.h"
-#include "filters/core/Text.h"
+#include "datasets/lessons/EmbeddedLessons.h"
+#include "datasets/lessons/LessonFile.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 

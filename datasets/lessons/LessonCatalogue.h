@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "datasets/Lesson.h"
+#include "datasets/lessons/Lesson.h"
 
 namespace umbra {
 

@@ -1,11 +1,12 @@
-#include "datasets/LessonFile.h"
+#include "datasets/lessons/LessonFile.h"
 
 #include <limits>
+#include <nlohmann/json.hpp>
 
-#include "datasets/JsonObject.h"
-#include "datasets/JsonText.h"
-#include "datasets/SessionFile.h"
-#include "filters/core/Error.h"
+#include "datasets/session/file/JsonObject.h"
+#include "datasets/session/file/JsonText.h"
+#include "datasets/session/file/SessionFile.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 

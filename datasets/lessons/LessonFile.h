@@ -21,7 +21,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "datasets/Lesson.h"
+#include "datasets/lessons/Lesson.h"
 
 namespace umbra {
 

@@ -1,5 +1,5 @@
 // Lessons as files: what is read, and what is refused with file and key.
-#include "datasets/LessonFile.h"
+#include "datasets/lessons/LessonFile.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "datasets/LessonCatalogue.h"
-#include "filters/core/Error.h"
+#include "datasets/lessons/LessonCatalogue.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

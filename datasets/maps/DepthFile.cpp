@@ -1,4 +1,4 @@
-#include "datasets/DepthFile.h"
+#include "datasets/maps/DepthFile.h"
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -15,10 +15,10 @@
 #include <charconv>
 #include <cmath>
 
-#include "filters/core/AtomicFile.h"
-#include "filters/core/Error.h"
-#include "filters/core/Parameters.h"
-#include "filters/core/Text.h"
+#include "filters/core/support/AtomicFile.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/support/Parameters.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "filters/core/Image.h"
+#include "filters/core/maps/Image.h"
 
 namespace umbra {
 

@@ -1,4 +1,4 @@
-#include "datasets/DepthFile.h"
+#include "datasets/maps/DepthFile.h"
 
 #include <ImfChannelList.h>
 #include <ImfDeepFrameBuffer.h>
@@ -20,8 +20,8 @@
 #include <limits>
 #include <random>
 
-#include "filters/core/Error.h"
-#include "filters/core/StorageFormat.h"
+#include "filters/core/settings/StorageFormat.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

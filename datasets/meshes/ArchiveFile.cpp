@@ -1,4 +1,4 @@
-#include "datasets/ArchiveFile.h"
+#include "datasets/meshes/ArchiveFile.h"
 
 #include <archive.h>
 #include <archive_entry.h>
@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "filters/core/Error.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

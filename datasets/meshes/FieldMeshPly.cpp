@@ -1,11 +1,11 @@
-#include "datasets/FieldMeshPly.h"
+#include "datasets/meshes/FieldMeshPly.h"
 
 #include <OpenMesh/Core/IO/writer/PLYWriter.hh>
 #include <fstream>
 #include <stdexcept>
 
-#include "datasets/MeshFileExporter.h"
-#include "filters/core/AtomicFile.h"
+#include "datasets/meshes/MeshFileExporter.h"
+#include "filters/core/support/AtomicFile.h"
 
 namespace umbra {
 namespace meshfile {

@@ -1,4 +1,4 @@
-#include "datasets/FieldMeshPly.h"
+#include "datasets/meshes/FieldMeshPly.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -8,9 +8,9 @@
 #include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
-#include "datasets/FieldMeshSample.h"
-#include "datasets/MeshFile.h"
-#include "filters/core/Error.h"
+#include "datasets/meshes/FieldMeshSample.h"
+#include "datasets/meshes/MeshFile.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

@@ -1,7 +1,7 @@
 // A mesh with fields, for the tests of its files.
 #pragma once
 
-#include "filters/core/FieldMesh.h"
+#include "filters/core/scene/FieldMesh.h"
 
 namespace umbra {
 

@@ -1,9 +1,9 @@
-#include "datasets/MaterialFile.h"
+#include "datasets/meshes/MaterialFile.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "datasets/MeshFileText.h"
+#include "datasets/meshes/MeshFileText.h"
 
 namespace umbra {
 namespace {

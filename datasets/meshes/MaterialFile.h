@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "filters/core/Scene.h"
+#include "filters/core/scene/Scene.h"
 
 namespace umbra {
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <numbers>
 
-#include "datasets/MeshNormals.h"
+#include "datasets/meshes/MeshNormals.h"
 
 namespace umbra::scenes {
 namespace {

@@ -1,13 +1,12 @@
-#include "datasets/MeshFile.h"
+#include "datasets/meshes/MeshFile.h"
 
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <fstream>
 
-#include "datasets/MeshFileReader.h"
-#include "datasets/MeshFileText.h"
-#include "datasets/ModelStage.h"
+#include "datasets/meshes/MeshFileReader.h"
+#include "datasets/meshes/MeshFileText.h"
 
 namespace umbra {
 namespace {
@@ -41,18 +40,6 @@ Mesh readMeshFile(const fs::path& file, MeshReport* report) {
   else
     say(file, raw.report);
   return meshfile::withItsNormals(raw);
-}
-
-Scene sceneFromMeshFile(const fs::path& file, MeshReport* report) {
-  SceneObject object;
-  object.name = file.stem().string();
-  object.mesh = readMeshFile(file, report);
-  object.material.colour = {0.62, 0.66, 0.70};
-  Scene scene = stagedScene({std::move(object)}, {});
-  scene.name = file.stem().string();
-  scene.title = file.filename().string();
-  scene.description = "A mesh file on a ground plane, scaled to about four units.";
-  return scene;
 }
 
 }  // namespace umbra

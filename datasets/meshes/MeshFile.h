@@ -1,9 +1,9 @@
-// Any mesh as a scene: OBJ, PLY, OFF or STL on a ground plane.
+// Any mesh file: OBJ, PLY, OFF or STL.
 #pragma once
 
 #include <filesystem>
 
-#include "filters/core/Scene.h"
+#include "filters/core/scene/Scene.h"
 
 namespace umbra {
 
@@ -13,12 +13,9 @@ struct MeshReport {
   bool normalsComputed = false;                         // where absent, or several at one vertex
 };
 
-// Centred, scaled to a height or width of about 4 and set on the ground, with light and camera
-// fitted. Throws BadInput that names the file: unknown extension, unreadable, no faces, truncated
-// (with what was read against what was promised), indices out of range.
-Scene sceneFromMeshFile(const std::filesystem::path& file, MeshReport* report = nullptr);
-
-// The triangles only, in the file's own coordinates.
+// The triangles, in the file's own coordinates. Throws BadInput that names the file: unknown
+// extension, unreadable, no faces, truncated (with what was read against what was promised),
+// indices out of range.
 Mesh readMeshFile(const std::filesystem::path& file, MeshReport* report = nullptr);
 
 }  // namespace umbra

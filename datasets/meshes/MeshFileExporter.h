@@ -4,7 +4,7 @@
 
 #include <OpenMesh/Core/IO/exporter/BaseExporter.hh>
 
-#include "filters/core/FieldMesh.h"
+#include "filters/core/scene/FieldMesh.h"
 
 namespace umbra::meshfile {
 

@@ -4,10 +4,11 @@
 #include <cmath>
 #include <fstream>
 
-#include "datasets/MeshFile.h"
-#include "datasets/MeshFileSamples.h"
+#include "datasets/meshes/MeshFile.h"
+#include "datasets/meshes/MeshFileSamples.h"
 #include "datasets/scenes/MeshBuilder.h"
-#include "filters/core/Error.h"
+#include "datasets/scenes/MeshScene.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include "datasets/MeshFileCheck.h"
-#include "datasets/MeshFileText.h"
+#include "datasets/meshes/MeshFileCheck.h"
+#include "datasets/meshes/MeshFileText.h"
 
 namespace umbra {
 namespace {

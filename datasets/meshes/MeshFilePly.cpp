@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
-#include "datasets/MeshFileCheck.h"
-#include "datasets/MeshFilePlyHeader.h"
-#include "datasets/MeshFileText.h"
+#include "datasets/meshes/MeshFileCheck.h"
+#include "datasets/meshes/MeshFilePlyHeader.h"
+#include "datasets/meshes/MeshFileText.h"
 
 namespace umbra {
 namespace {

@@ -1,8 +1,8 @@
-#include "datasets/MeshFilePlyHeader.h"
+#include "datasets/meshes/MeshFilePlyHeader.h"
 
 #include <array>
 
-#include "datasets/MeshFileText.h"
+#include "datasets/meshes/MeshFileText.h"
 
 namespace umbra::meshfile {
 namespace {

@@ -1,4 +1,4 @@
-#include "datasets/MeshFilePolygon.h"
+#include "datasets/meshes/MeshFilePolygon.h"
 
 #include <Eigen/Geometry>
 #include <numeric>

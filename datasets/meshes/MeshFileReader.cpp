@@ -1,4 +1,4 @@
-#include "datasets/MeshFileReader.h"
+#include "datasets/meshes/MeshFileReader.h"
 
 #include <OpenMesh/Core/IO/IOManager.hh>
 #include <OpenMesh/Core/System/omstream.hh>
@@ -7,10 +7,10 @@
 #include <mutex>
 #include <sstream>
 
-#include "datasets/MeshFileImporter.h"
-#include "datasets/MeshFilePolygon.h"
-#include "datasets/MeshFileText.h"
-#include "datasets/MeshNormals.h"
+#include "datasets/meshes/MeshFileImporter.h"
+#include "datasets/meshes/MeshFilePolygon.h"
+#include "datasets/meshes/MeshFileText.h"
+#include "datasets/meshes/MeshNormals.h"
 
 namespace umbra::meshfile {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "datasets/MeshFile.h"
-#include "datasets/MeshFileCheck.h"
+#include "datasets/meshes/MeshFile.h"
+#include "datasets/meshes/MeshFileCheck.h"
 
 namespace umbra::meshfile {
 

@@ -1,11 +1,12 @@
-#include "datasets/MeshFile.h"
+#include "datasets/meshes/MeshFile.h"
+#include "datasets/scenes/MeshScene.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 
-#include "datasets/MeshFileSamples.h"
-#include "filters/core/Error.h"
+#include "datasets/meshes/MeshFileSamples.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

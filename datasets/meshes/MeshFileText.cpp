@@ -1,10 +1,10 @@
-#include "datasets/MeshFileText.h"
+#include "datasets/meshes/MeshFileText.h"
 
 #include <charconv>
 #include <cmath>
 #include <limits>
 
-#include "filters/core/Error.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra::meshfile {
 

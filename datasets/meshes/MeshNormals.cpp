@@ -1,4 +1,4 @@
-#include "datasets/MeshNormals.h"
+#include "datasets/meshes/MeshNormals.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "datasets/MeshNormals.h"
+#include "datasets/meshes/MeshNormals.h"
 #include "datasets/scenes/Scenes.h"
 
 namespace umbra::scenes {

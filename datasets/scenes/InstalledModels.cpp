@@ -1,12 +1,12 @@
-#include "datasets/InstalledModels.h"
+#include "datasets/scenes/InstalledModels.h"
 
 #include <array>
 
-#include "datasets/ArchiveFile.h"
-#include "datasets/MaterialFile.h"
-#include "datasets/MeshFileReader.h"
-#include "datasets/ModelStage.h"
-#include "filters/core/Error.h"
+#include "datasets/meshes/ArchiveFile.h"
+#include "datasets/meshes/MaterialFile.h"
+#include "datasets/meshes/MeshFileReader.h"
+#include "datasets/scenes/ModelStage.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "datasets/SceneCatalogue.h"
+#include "datasets/scenes/SceneCatalogue.h"
 
 namespace umbra {
 

@@ -1,4 +1,4 @@
-#include "datasets/InstalledModels.h"
+#include "datasets/scenes/InstalledModels.h"
 
 #include <archive.h>
 #include <archive_entry.h>
@@ -7,10 +7,10 @@
 #include <fstream>
 #include <map>
 
-#include "datasets/ArchiveFile.h"
-#include "datasets/MaterialFile.h"
-#include "datasets/MeshFileSamples.h"
-#include "filters/core/Error.h"
+#include "datasets/meshes/ArchiveFile.h"
+#include "datasets/meshes/MaterialFile.h"
+#include "datasets/meshes/MeshFileSamples.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

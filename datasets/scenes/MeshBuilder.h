@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "filters/core/Scene.h"
+#include "filters/core/scene/Scene.h"
 
 namespace umbra::scenes {
 

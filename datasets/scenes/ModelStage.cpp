@@ -1,4 +1,4 @@
-#include "datasets/ModelStage.h"
+#include "datasets/scenes/ModelStage.h"
 
 #include <cmath>
 #include <numbers>

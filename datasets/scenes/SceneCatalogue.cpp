@@ -1,9 +1,9 @@
-#include "datasets/SceneCatalogue.h"
+#include "datasets/scenes/SceneCatalogue.h"
 
-#include "datasets/InstalledModels.h"
+#include "datasets/scenes/InstalledModels.h"
 #include "datasets/scenes/Scenes.h"
-#include "filters/core/Error.h"
-#include "filters/core/Text.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "filters/core/Scene.h"
+#include "filters/core/scene/Scene.h"
 
 namespace umbra {
 

@@ -1,4 +1,4 @@
-#include "datasets/SceneCatalogue.h"
+#include "datasets/scenes/SceneCatalogue.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <limits>
 #include <set>
 
-#include "filters/core/ClosedBody.h"
-#include "filters/core/Error.h"
+#include "filters/core/scene/ClosedBody.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "datasets/MeshNormals.h"
+#include "datasets/meshes/MeshNormals.h"
 
 namespace umbra::scenes {
 namespace {

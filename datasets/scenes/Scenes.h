@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "datasets/SceneCatalogue.h"
 #include "datasets/scenes/MeshBuilder.h"
+#include "datasets/scenes/SceneCatalogue.h"
 
 namespace umbra::scenes {
 

@@ -1,11 +1,11 @@
-#include "datasets/Comparison.h"
+#include "datasets/session/Comparison.h"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
-#include "datasets/Session.h"
-#include "filters/core/Error.h"
+#include "datasets/session/Session.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

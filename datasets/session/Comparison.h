@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "filters/core/FrameSettings.h"
-#include "filters/core/Parameters.h"
+#include "filters/core/settings/FrameSettings.h"
+#include "filters/core/support/Parameters.h"
 
 namespace umbra {
 

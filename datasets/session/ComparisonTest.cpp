@@ -1,11 +1,11 @@
-#include "datasets/Comparison.h"
+#include "datasets/session/Comparison.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "datasets/PaneEditing.h"
-#include "datasets/Session.h"
+#include "datasets/session/PaneEditing.h"
+#include "datasets/session/Session.h"
 
 namespace umbra {
 namespace {

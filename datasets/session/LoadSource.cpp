@@ -1,9 +1,9 @@
-#include "datasets/LoadSource.h"
+#include "datasets/session/LoadSource.h"
 
-#include "datasets/DepthFile.h"
-#include "datasets/MeshFile.h"
-#include "datasets/SceneCatalogue.h"
-#include "filters/core/Error.h"
+#include "datasets/maps/DepthFile.h"
+#include "datasets/scenes/MeshScene.h"
+#include "datasets/scenes/SceneCatalogue.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

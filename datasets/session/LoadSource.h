@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "datasets/Session.h"
-#include "filters/core/Image.h"
+#include "datasets/session/Session.h"
+#include "filters/core/maps/Image.h"
 
 namespace umbra {
 

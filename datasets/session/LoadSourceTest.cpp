@@ -1,11 +1,11 @@
-#include "datasets/LoadSource.h"
+#include "datasets/session/LoadSource.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 
-#include "filters/core/Error.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

@@ -1,9 +1,9 @@
-#include "datasets/NamedProbe.h"
+#include "datasets/session/NamedProbe.h"
 
 #include <algorithm>
 
-#include "datasets/Session.h"
-#include "filters/core/Error.h"
+#include "datasets/session/Session.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

@@ -1,4 +1,4 @@
-#include "datasets/PaneEditing.h"
+#include "datasets/session/PaneEditing.h"
 
 #include <algorithm>
 #include <utility>

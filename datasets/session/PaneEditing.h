@@ -1,7 +1,7 @@
 // What one does to a single pane of a comparison, numbered as in comparisonOf().
 #pragma once
 
-#include "datasets/Session.h"
+#include "datasets/session/Session.h"
 
 namespace umbra {
 

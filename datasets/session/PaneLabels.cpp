@@ -1,9 +1,9 @@
-#include "datasets/PaneLabels.h"
+#include "datasets/session/PaneLabels.h"
 
 #include <algorithm>
 #include <array>
 
-#include "filters/core/Text.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {

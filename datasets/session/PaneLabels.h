@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "datasets/Session.h"
+#include "datasets/session/Session.h"
 
 namespace umbra {
 

@@ -1,8 +1,8 @@
-#include "datasets/PaneLabels.h"
+#include "datasets/session/PaneLabels.h"
 
 #include <gtest/gtest.h>
 
-#include "datasets/PaneEditing.h"
+#include "datasets/session/PaneEditing.h"
 
 namespace umbra {
 namespace {

@@ -1,7 +1,7 @@
-#include "datasets/Session.h"
+#include "datasets/session/Session.h"
 
-#include "filters/core/Composition.h"
-#include "filters/core/Error.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/technique/Composition.h"
 
 namespace umbra {
 namespace {

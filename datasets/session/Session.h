@@ -11,13 +11,13 @@
 #include <string_view>
 #include <vector>
 
-#include "datasets/Comparison.h"
-#include "datasets/NamedProbe.h"
-#include "filters/core/FrameSettings.h"
-#include "filters/core/Light.h"
-#include "filters/core/Parameters.h"
-#include "filters/core/Scene.h"
-#include "filters/core/TechniqueCatalogue.h"
+#include "datasets/session/Comparison.h"
+#include "datasets/session/NamedProbe.h"
+#include "filters/core/scene/Light.h"
+#include "filters/core/scene/Scene.h"
+#include "filters/core/settings/FrameSettings.h"
+#include "filters/core/support/Parameters.h"
+#include "filters/core/technique/TechniqueCatalogue.h"
 
 namespace umbra {
 

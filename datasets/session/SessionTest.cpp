@@ -1,8 +1,8 @@
-#include "datasets/Session.h"
+#include "datasets/session/Session.h"
 
 #include <gtest/gtest.h>
 
-#include "filters/core/Error.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "filters/core/Cascades.h"
+#include "filters/core/maps/Cascades.h"
 
 class vtkPolyData;
 class vtkRenderer;

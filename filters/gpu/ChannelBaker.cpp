@@ -7,8 +7,8 @@
 #include "Reduce_glsl.h"
 #include "Store_glsl.h"
 #include "WeightedReduce_comp_glsl.h"
-#include "filters/core/Error.h"
-#include "filters/core/MipLevels.h"
+#include "filters/core/maps/MipLevels.h"
+#include "filters/core/support/Error.h"
 #include "filters/gpu/gl/DrawOrder.h"
 
 namespace umbra {

@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
-#include "filters/core/FrameSettings.h"
-#include "filters/core/Technique.h"
+#include "filters/core/settings/FrameSettings.h"
+#include "filters/core/technique/Technique.h"
 #include "filters/gpu/BakeStage.h"
 #include "filters/gpu/SummedAreaTable.h"
 #include "filters/gpu/TechniqueShader.h"

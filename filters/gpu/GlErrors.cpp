@@ -3,7 +3,8 @@
 #include <vtkCommand.h>
 #include <vtkOutputWindow.h>
 #include <vtkSmartPointer.h>
-#include <vtk_glew.h>
+
+#include "filters/gpu/gl/OpenGL.h"
 
 namespace umbra {
 namespace {

@@ -5,12 +5,12 @@
 #include <dlfcn.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkObjectFactory.h>
-#include <vtk_glew.h>
 
 #include <memory>
 #include <string>
 
-#include "filters/core/Error.h"
+#include "filters/core/support/Error.h"
+#include "filters/gpu/gl/OpenGL.h"
 
 namespace umbra {
 namespace {
@@ -29,9 +29,9 @@ class EglContext {
   EglContext() {
     library_ = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
     if (!library_) fail("there is no libEGL.so.1");
-    const auto getProcAddress = entry<decltype(&eglGetProcAddress)>("eglGetProcAddress");
+    getProcAddress_ = entry<decltype(&eglGetProcAddress)>("eglGetProcAddress");
     const auto getPlatformDisplay = PFNEGLGETPLATFORMDISPLAYEXTPROC(
-        getProcAddress ? getProcAddress("eglGetPlatformDisplayEXT") : nullptr);
+        getProcAddress_ ? getProcAddress_("eglGetPlatformDisplayEXT") : nullptr);
     if (!getPlatformDisplay) fail("EGL knows no platforms");
     makeCurrent_ = entry<decltype(&eglMakeCurrent)>("eglMakeCurrent");
     getCurrent_ = entry<decltype(&eglGetCurrentContext)>("eglGetCurrentContext");
@@ -59,10 +59,14 @@ class EglContext {
   }
   bool isCurrent() const { return context_ != EGL_NO_CONTEXT && getCurrent_() == context_; }
 
+  // The function of OpenGL of that name; null where there is none.
+  using Function = void (*)();
+  Function function(const char* name) const { return getProcAddress_(name); }
+
  private:
-  template <class Function>
-  Function entry(const char* name) const {
-    return reinterpret_cast<Function>(dlsym(library_, name));
+  template <class Entry>
+  Entry entry(const char* name) const {
+    return reinterpret_cast<Entry>(dlsym(library_, name));
   }
 
   EGLContext createContext() const {
@@ -88,6 +92,7 @@ class EglContext {
   void* library_ = nullptr;
   EGLDisplay display_ = EGL_NO_DISPLAY;
   EGLContext context_ = EGL_NO_CONTEXT;
+  decltype(&eglGetProcAddress) getProcAddress_ = nullptr;
   decltype(&eglMakeCurrent) makeCurrent_ = nullptr;
   decltype(&eglGetCurrentContext) getCurrent_ = nullptr;
   decltype(&eglDestroyContext) destroy_ = nullptr;
@@ -99,15 +104,39 @@ class vtkUmbraHeadlessWindow : public vtkGenericOpenGLRenderWindow {
   vtkTypeMacro(vtkUmbraHeadlessWindow, vtkGenericOpenGLRenderWindow);
 
   // Made before the window: a VTK object cannot fail while it is constructed.
-  void SetContext(std::unique_ptr<EglContext> context) { this->Context = std::move(context); }
+  void SetContext(std::unique_ptr<EglContext> context) {
+    this->Context = std::move(context);
+#if UMBRA_VTK_LOADS_SYMBOLS
+    this->SetOpenGLSymbolLoader(
+        [](void* egl, const char* name) { return static_cast<EglContext*>(egl)->function(name); },
+        this->Context.get());
+#endif
+  }
 
-  void MakeCurrent() override { this->Context->makeCurrent(); }
-  bool IsCurrent() override { return this->Context->isCurrent(); }
-  int SupportsOpenGL() override { return 1; }
-  vtkTypeBool IsDirect() override { return 1; }
+  void MakeCurrent() override {
+    this->Context->makeCurrent();
+  }
+  bool IsCurrent() override {
+    return this->Context->isCurrent();
+  }
+  int SupportsOpenGL() override {
+    return 1;
+  }
+  vtkTypeBool IsDirect() override {
+    return 1;
+  }
   // VTK would ask the surface, of which there is none, for it; its own buffers have 32 bits.
-  int GetDepthBufferSize() override { return 32; }
+  int GetDepthBufferSize() override {
+    return 32;
+  }
 
+  // VTK would ask the surface for its colour buffer as well, and warn that there is none.
+  int GetColorBufferSizes(int* rgba) override {
+    for (int i = 0; rgba && i < 4; ++i) rgba[i] = 8;
+    return 32;
+  }
+
+#if !UMBRA_VTK_LOADS_SYMBOLS
   void OpenGLInitContext() override {
     if (this->Initialized) return;
     glewExperimental = GL_TRUE;
@@ -116,6 +145,7 @@ class vtkUmbraHeadlessWindow : public vtkGenericOpenGLRenderWindow {
     this->GlewInitValid = status == GLEW_OK || status == GLEW_ERROR_NO_GLX_DISPLAY;
     this->Initialized = this->GlewInitValid;
   }
+#endif
 
  protected:
   vtkUmbraHeadlessWindow() {
@@ -144,7 +174,7 @@ vtkSmartPointer<vtkRenderWindow> makeHeadlessWindow(int width, int height) {
   window->SetSize(width, height);
   window->MakeCurrent();
   window->OpenGLInit();
-  if (!GLEW_VERSION_4_5) fail("the EGL context is older than OpenGL 4.5");
+  if (!gl::hasVersion45()) fail("the EGL context is older than OpenGL 4.5");
   return window;
 }
 

@@ -1,7 +1,7 @@
 // What the depth pass and the shading pass both tell their shaders of the light.
 #pragma once
 
-#include "filters/core/Light.h"
+#include "filters/core/scene/Light.h"
 #include "filters/gpu/gl/Program.h"
 
 namespace umbra {

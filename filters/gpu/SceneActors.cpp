@@ -12,7 +12,7 @@
 
 #include <cstring>
 
-#include "filters/core/ClosedBody.h"
+#include "filters/core/scene/ClosedBody.h"
 
 namespace umbra {
 namespace {

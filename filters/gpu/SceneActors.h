@@ -7,8 +7,8 @@
 
 #include <vector>
 
-#include "filters/core/Light.h"
-#include "filters/core/Scene.h"
+#include "filters/core/scene/Light.h"
+#include "filters/core/scene/Scene.h"
 
 class vtkRenderer;
 

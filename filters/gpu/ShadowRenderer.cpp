@@ -11,7 +11,7 @@
 #include <array>
 #include <cmath>
 
-#include "filters/core/Error.h"
+#include "filters/core/support/Error.h"
 #include "filters/gpu/CascadeLines.h"
 #include "filters/gpu/GlErrors.h"
 #include "filters/gpu/SceneActors.h"

@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "filters/core/Cascades.h"
-#include "filters/core/FrameSettings.h"
-#include "filters/core/Image.h"
-#include "filters/core/Light.h"
-#include "filters/core/Region.h"
-#include "filters/core/Scene.h"
-#include "filters/core/SurfacePoint.h"
-#include "filters/core/Technique.h"
+#include "filters/core/maps/Cascades.h"
+#include "filters/core/maps/Image.h"
+#include "filters/core/maps/Region.h"
+#include "filters/core/maps/SurfacePoint.h"
+#include "filters/core/scene/Light.h"
+#include "filters/core/scene/Scene.h"
+#include "filters/core/settings/FrameSettings.h"
+#include "filters/core/technique/Technique.h"
 #include "filters/gpu/BakeStage.h"
 #include "filters/gpu/SplitPace.h"
 

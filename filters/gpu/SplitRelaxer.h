@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "filters/core/Lloyd.h"
+#include "filters/core/technique/Lloyd.h"
 #include "filters/gpu/SplitPace.h"
 #include "filters/gpu/gl/Program.h"
 #include "filters/gpu/gl/Texture.h"

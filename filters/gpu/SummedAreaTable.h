@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "filters/core/FrameSettings.h"
+#include "filters/core/settings/FrameSettings.h"
 #include "filters/gpu/gl/Program.h"
 #include "filters/gpu/gl/Texture.h"
 

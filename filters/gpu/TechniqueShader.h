@@ -5,8 +5,8 @@
 #include <array>
 #include <string>
 
-#include "filters/core/FrameSettings.h"
-#include "filters/core/Technique.h"
+#include "filters/core/settings/FrameSettings.h"
+#include "filters/core/technique/Technique.h"
 #include "filters/gpu/gl/Program.h"
 
 namespace umbra {

@@ -1,7 +1,7 @@
 // Cameras of VTK as the program has them.
 #pragma once
 
-#include "filters/core/Camera.h"
+#include "filters/core/scene/Camera.h"
 
 class vtkCamera;
 

@@ -16,8 +16,8 @@
 #include <algorithm>
 #include <cstring>
 
-#include "filters/core/AtomicFile.h"
-#include "filters/core/Error.h"
+#include "filters/core/support/AtomicFile.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

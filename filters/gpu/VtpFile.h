@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "filters/core/FieldMesh.h"
+#include "filters/core/scene/FieldMesh.h"
 
 namespace umbra {
 

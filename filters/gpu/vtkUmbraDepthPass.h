@@ -3,7 +3,7 @@
 
 #include <vtkOpenGLRenderPass.h>
 
-#include "filters/core/Light.h"
+#include "filters/core/scene/Light.h"
 #include "filters/gpu/gl/MultisampleTexture.h"
 #include "filters/gpu/gl/Program.h"
 #include "filters/gpu/gl/Texture.h"

@@ -16,9 +16,9 @@
 
 #include "FullScreen_vert_glsl.h"
 #include "View_frag_glsl.h"
-#include "filters/core/Composition.h"
-#include "filters/core/Error.h"
-#include "filters/core/TechniqueEquality.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/technique/Composition.h"
+#include "filters/core/technique/TechniqueEquality.h"
 #include "filters/gpu/SceneActors.h"
 #include "filters/gpu/TechniqueShader.h"
 #include "filters/gpu/ViewColours.h"

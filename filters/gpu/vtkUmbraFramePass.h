@@ -10,10 +10,10 @@
 #include <optional>
 #include <unordered_set>
 
-#include "filters/core/Cascades.h"
-#include "filters/core/FrameSettings.h"
-#include "filters/core/Light.h"
-#include "filters/core/Technique.h"
+#include "filters/core/maps/Cascades.h"
+#include "filters/core/scene/Light.h"
+#include "filters/core/settings/FrameSettings.h"
+#include "filters/core/technique/Technique.h"
 #include "filters/gpu/ChannelBaker.h"
 #include "filters/gpu/SplitRelaxer.h"
 #include "filters/gpu/gl/PassTimer.h"

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "filters/core/Cascades.h"
-#include "filters/core/FrameSettings.h"
-#include "filters/core/Light.h"
-#include "filters/core/Technique.h"
+#include "filters/core/maps/Cascades.h"
+#include "filters/core/scene/Light.h"
+#include "filters/core/settings/FrameSettings.h"
+#include "filters/core/technique/Technique.h"
 #include "filters/gpu/TechniqueShader.h"
 #include "filters/gpu/gl/Texture.h"
 

@@ -18,12 +18,12 @@
 #include <vtkSequencePass.h>
 #include <vtkShadowMapBakerPass.h>
 #include <vtkShadowMapPass.h>
-#include <vtk_glew.h>
 
-#include "datasets/SceneCatalogue.h"
-#include "filters/core/TechniqueCatalogue.h"
+#include "datasets/scenes/SceneCatalogue.h"
+#include "filters/core/technique/TechniqueCatalogue.h"
 #include "filters/gpu/HeadlessWindow.h"
 #include "filters/gpu/ShadowRenderer.h"
+#include "filters/gpu/gl/OpenGL.h"
 
 namespace umbra {
 namespace {

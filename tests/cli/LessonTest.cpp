@@ -3,7 +3,7 @@
 
 #include <fstream>
 
-#include "datasets/LessonCatalogue.h"
+#include "datasets/lessons/LessonCatalogue.h"
 #include "tests/cli/Process.h"
 
 namespace umbra::cli {

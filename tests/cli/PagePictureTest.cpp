@@ -6,8 +6,8 @@
 #include <set>
 #include <sstream>
 
-#include "filters/core/TechniqueCatalogue.h"
-#include "filters/core/TechniquePage.h"
+#include "filters/core/technique/TechniqueCatalogue.h"
+#include "filters/core/technique/TechniquePage.h"
 #include "tests/cli/PictureDifference.h"
 #include "tests/cli/Process.h"
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/PlanesForm.h"
-#include "datasets/SceneCatalogue.h"
+#include "analysis/plots/PlanesForm.h"
+#include "datasets/scenes/SceneCatalogue.h"
 #include "tests/cli/Process.h"
 
 namespace umbra::cli {

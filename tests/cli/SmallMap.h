@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "datasets/DepthFile.h"
+#include "datasets/maps/DepthFile.h"
 
 namespace umbra::cli {
 

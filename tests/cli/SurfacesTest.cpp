@@ -1,7 +1,7 @@
 // compare --surfaces: the error on the scene's surfaces, as numbers and as meshes.
 #include <gtest/gtest.h>
 
-#include "datasets/MeshFile.h"
+#include "datasets/meshes/MeshFile.h"
 #include "tests/cli/Process.h"
 #include "tests/cli/SmallMap.h"
 

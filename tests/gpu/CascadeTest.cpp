@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "filters/core/Error.h"
-#include "filters/core/Prefilter.h"
+#include "filters/core/prefilter/Prefilter.h"
+#include "filters/core/support/Error.h"
 #include "filters/gpu/ViewColours.h"
 #include "tests/gpu/CascadeFixture.h"
 #include "tests/gpu/Rounding.h"

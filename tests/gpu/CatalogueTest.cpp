@@ -6,7 +6,7 @@
 
 #include <cstdlib>
 
-#include "datasets/SceneCatalogue.h"
+#include "datasets/scenes/SceneCatalogue.h"
 #include "tests/gpu/FrameFixture.h"
 
 namespace umbra {

@@ -3,9 +3,9 @@
 // composed is refused with its reason.
 #include <cmath>
 
-#include "filters/core/Composition.h"
-#include "filters/core/Error.h"
-#include "filters/core/Prefilter.h"
+#include "filters/core/prefilter/Prefilter.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/technique/Composition.h"
 #include "tests/gpu/FrameFixture.h"
 #include "tests/gpu/Pairwise.h"
 #include "tests/gpu/Rounding.h"

@@ -1,7 +1,7 @@
 // The shaded frame through mip levels: what its pixels cover, and what they see.
 #include <cmath>
 
-#include "filters/core/Prefilter.h"
+#include "filters/core/prefilter/Prefilter.h"
 #include "tests/gpu/FrameFixture.h"
 #include "tests/gpu/Rounding.h"
 

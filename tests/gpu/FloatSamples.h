@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "filters/core/Lloyd.h"
-#include "filters/core/StorageFormat.h"
+#include "filters/core/settings/StorageFormat.h"
+#include "filters/core/technique/Lloyd.h"
 
 namespace umbra::test {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "filters/core/TechniqueCatalogue.h"
+#include "filters/core/technique/TechniqueCatalogue.h"
 #include "filters/gpu/ShadowRenderer.h"
 #include "tests/gpu/GpuTest.h"
 #include "tests/gpu/TestScenes.h"

@@ -8,7 +8,7 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
-#include "filters/core/Error.h"
+#include "filters/core/support/Error.h"
 #include "tests/gpu/FrameFixture.h"
 
 namespace umbra {

@@ -2,8 +2,8 @@
 // frame.
 #include <algorithm>
 
-#include "filters/core/Lloyd.h"
-#include "filters/core/Prefilter.h"
+#include "filters/core/prefilter/Prefilter.h"
+#include "filters/core/technique/Lloyd.h"
 #include "filters/gpu/ChannelBaker.h"
 #include "tests/gpu/FloatSamples.h"
 #include "tests/gpu/FrameFixture.h"

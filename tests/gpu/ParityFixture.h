@@ -8,8 +8,8 @@
 #include <random>
 #include <string>
 
-#include "filters/core/Prefilter.h"
-#include "filters/core/TechniqueCatalogue.h"
+#include "filters/core/prefilter/Prefilter.h"
+#include "filters/core/technique/TechniqueCatalogue.h"
 #include "filters/gpu/ChannelBaker.h"
 #include "tests/gpu/GpuTest.h"
 #include "tests/gpu/Rounding.h"

@@ -1,5 +1,5 @@
 // Mip levels, and trilinear and anisotropic reads of them, against the reference in double.
-#include "filters/core/MipLevels.h"
+#include "filters/core/maps/MipLevels.h"
 #include "tests/gpu/ParityFixture.h"
 
 namespace umbra {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "filters/core/Region.h"
-#include "filters/core/Technique.h"
+#include "filters/core/maps/Region.h"
+#include "filters/core/technique/Technique.h"
 
 namespace umbra::test {
 

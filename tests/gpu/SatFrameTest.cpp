@@ -2,9 +2,9 @@
 // what is refused.
 #include <cmath>
 
-#include "filters/core/Composition.h"
-#include "filters/core/Error.h"
-#include "filters/core/Prefilter.h"
+#include "filters/core/prefilter/Prefilter.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/technique/Composition.h"
 #include "filters/gpu/vtkUmbraDepthPass.h"
 #include "tests/gpu/FrameFixture.h"
 

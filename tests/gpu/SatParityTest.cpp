@@ -1,6 +1,6 @@
 // Visibility and exact filtering from summed-area tables, for every technique and format that can
 // have them, against the reference in double.
-#include "filters/core/Composition.h"
+#include "filters/core/technique/Composition.h"
 #include "tests/gpu/ParityFixture.h"
 
 namespace umbra {

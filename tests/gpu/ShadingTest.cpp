@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "filters/core/Prefilter.h"
+#include "filters/core/prefilter/Prefilter.h"
 #include "tests/gpu/FrameFixture.h"
 #include "tests/gpu/Rounding.h"
 

@@ -5,9 +5,9 @@
 #include <random>
 #include <vector>
 
-#include "datasets/SceneCatalogue.h"
-#include "filters/core/StorageFormat.h"
-#include "filters/core/TechniqueCatalogue.h"
+#include "datasets/scenes/SceneCatalogue.h"
+#include "filters/core/settings/StorageFormat.h"
+#include "filters/core/technique/TechniqueCatalogue.h"
 #include "filters/gpu/ShadowRenderer.h"
 #include "tests/gpu/FloatSamples.h"
 #include "tests/gpu/GpuTest.h"

@@ -1,10 +1,10 @@
 // Errors on surfaces against those of frames that look at them.
-#include "analysis/SurfaceErrors.h"
+#include "analysis/surfaces/SurfaceErrors.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "filters/core/ReceiverBias.h"
+#include "filters/core/maps/ReceiverBias.h"
 #include "tests/gpu/FrameFixture.h"
 #include "tests/gpu/Rounding.h"
 

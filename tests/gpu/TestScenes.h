@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "filters/core/Scene.h"
+#include "filters/core/scene/Scene.h"
 
 namespace umbra::test {
 

@@ -1,7 +1,7 @@
 // What the textures of a map take, against their layouts counted by hand.
 #include <gtest/gtest.h>
 
-#include "filters/core/TechniqueCatalogue.h"
+#include "filters/core/technique/TechniqueCatalogue.h"
 #include "filters/gpu/ChannelBaker.h"
 
 namespace umbra {

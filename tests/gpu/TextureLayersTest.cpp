@@ -1,8 +1,8 @@
 // Cascades in the layers of the baker's textures, and how many layers a technique takes.
 #include <random>
 
-#include "filters/core/Prefilter.h"
-#include "filters/core/TechniqueCatalogue.h"
+#include "filters/core/prefilter/Prefilter.h"
+#include "filters/core/technique/TechniqueCatalogue.h"
 #include "filters/gpu/ChannelBaker.h"
 #include "tests/gpu/GpuTest.h"
 #include "tests/gpu/Rounding.h"

@@ -15,8 +15,8 @@
 
 #include <fstream>
 
-#include "datasets/FieldMeshSample.h"
-#include "filters/core/Error.h"
+#include "datasets/meshes/FieldMeshSample.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

@@ -8,10 +8,10 @@
 #include <QSvgRenderer>
 #include <fstream>
 
-#include "filters/core/Error.h"
-#include "filters/core/Text.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/support/Text.h"
 #include "tests/plots/SamplePlots.h"
-#include "ui/PlotRenderer.h"
+#include "ui/plots/PlotRenderer.h"
 
 namespace umbra {
 namespace {

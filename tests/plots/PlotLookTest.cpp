@@ -10,9 +10,9 @@
 #include <set>
 
 #include "tests/plots/SamplePlots.h"
-#include "ui/PlotRenderer.h"
 #include "ui/plots/LabelPlacer.h"
 #include "ui/plots/PlotFitter.h"
+#include "ui/plots/PlotRenderer.h"
 #include "ui/plots/SeriesItem.h"
 
 namespace umbra {

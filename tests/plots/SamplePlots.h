@@ -3,8 +3,8 @@
 
 #include <random>
 
-#include "analysis/ProbePlots.h"
-#include "filters/core/TechniqueCatalogue.h"
+#include "analysis/plots/ProbePlots.h"
+#include "filters/core/technique/TechniqueCatalogue.h"
 
 namespace umbra {
 

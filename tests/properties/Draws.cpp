@@ -6,8 +6,8 @@
 #include <cmath>
 #include <set>
 
-#include "filters/core/Prefilter.h"
-#include "filters/core/TechniqueCatalogue.h"
+#include "filters/core/prefilter/Prefilter.h"
+#include "filters/core/technique/TechniqueCatalogue.h"
 
 namespace umbra::draws {
 namespace {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "filters/core/Kernel.h"
-#include "filters/core/Region.h"
-#include "filters/core/StorageFormat.h"
-#include "filters/core/Technique.h"
+#include "filters/core/maps/Region.h"
+#include "filters/core/settings/Kernel.h"
+#include "filters/core/settings/StorageFormat.h"
+#include "filters/core/technique/Technique.h"
 
 namespace umbra::draws {
 

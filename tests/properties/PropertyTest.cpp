@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "filters/core/Prefilter.h"
+#include "filters/core/prefilter/Prefilter.h"
 #include "tests/properties/Draws.h"
 
 namespace umbra {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
-#include "filters/core/Composition.h"
-#include "filters/core/Prefilter.h"
+#include "filters/core/prefilter/Prefilter.h"
+#include "filters/core/technique/Composition.h"
 #include "tests/properties/Draws.h"
 
 namespace umbra {

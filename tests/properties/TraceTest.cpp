@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "filters/core/Prefilter.h"
+#include "filters/core/prefilter/Prefilter.h"
 #include "filters/techniques/csm/Csm.h"
 #include "filters/techniques/esm/Esm.h"
 #include "filters/techniques/evsm/Evsm.h"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fails when an include runs against the layers of ARCHITECTURE.md.
+"""Fails when an include runs against the layers and rooms of ARCHITECTURE.md.
 
 usage: check_layers.py SOURCE_ROOT | --self-test
 """
@@ -20,10 +20,19 @@ MAY_INCLUDE = {
     # What starts without Qt and OpenGL, and asks the display through its interface.
     "app": {"filters/core", "filters/techniques", "analysis", "datasets", "app/display"},
 }
+# The rooms of a layer: each may include itself and those before it.
+ROOMS = {
+    "filters/core": ["support", "scene", "settings", "maps", "technique", "prefilter"],
+    "analysis": ["probe", "frame", "errors", "rays", "surfaces", "plots"],
+    "datasets": ["meshes", "maps", "scenes", "session", "session/file", "lessons"],
+    "ui": ["plots", "widgets/base", "widgets/forms", "widgets/maps", "widgets/plots", "widgets/tables",
+           "session", "picture", "probe", "panes", "errors", "layers", "lessons", "window"],
+    "app": ["output", "reports", "options", "frames", "lessons", "commands", "start"],
+}
 LIBRARIES = {
     "VTK": re.compile(r"^(vtk|QVTK)"),
     "Qt": re.compile(r"^(Q[A-Z]|Qt|qwt)"),
-    "OpenGL": re.compile(r"^(GL/|EGL/|vtk_glew)"),
+    "OpenGL": re.compile(r"^(GL/|EGL/|vtk_gl(ew|ad)|filters/gpu/gl/OpenGL)"),
 }
 # Layers that know no display library at all, and those that know VTK and OpenGL but no Qt.
 FORBIDDEN = {
@@ -44,10 +53,22 @@ def layer_of(path):
     return max((layer for layer in MAY_INCLUDE if path.startswith(layer + "/")), key=len, default=None)
 
 
+def room_of(path):
+    """The room that holds `path`, and its place in its layer; None where the layer has no rooms."""
+    layer, folder = layer_of(path), path.rpartition("/")[0]
+    if layer not in ROOMS:
+        return None
+    room = folder[len(layer) + 1:]
+    return room, ROOMS[layer].index(room) if room in ROOMS[layer] else None
+
+
 def problems_in(path, text):
-    """Each include of `text`, the file at `path` below the root, that its layer forbids."""
-    layer = layer_of(path)
+    """Each include of `text`, the file at `path` below the root, that its layer or room forbids."""
+    layer, room = layer_of(path), room_of(path)
     is_test = path.endswith("Test.cpp")
+    if room and room[1] is None:
+        yield f"{path}: lies in no room of {layer}; its rooms are {', '.join(ROOMS[layer])}"
+        return
     for number, line in enumerate(text.splitlines(), 1):
         match = INCLUDE.match(line)
         if not match:
@@ -58,6 +79,9 @@ def problems_in(path, text):
         allowed = MAY_INCLUDE[layer] | ({"filters/core", "filters/techniques", "analysis", "datasets"} if is_test else set())
         if target and target != layer and target not in allowed:
             yield f"{path}:{number}: {layer} must not include {target} ({included})"
+        below = room_of(included) if target == layer and not is_test else None
+        if room and below and (below[1] is None or below[1] > room[1]):
+            yield f"{path}:{number}: the room {room[0]} must not include {below[0]} ({included})"
         for library in FORBIDDEN[layer]:
             if LIBRARIES[library].match(included):
                 yield f"{path}:{number}: {layer} must not include {library} ({included})"
@@ -81,25 +105,30 @@ def check(root):
 def self_test():
     """The check must see what it is there for."""
     bad = {
-        "analysis/A.cpp": '#include <vtkObject.h>',
-        "filters/core/B.h": '#include "analysis/Probe.h"',
+        "analysis/probe/A.cpp": '#include <vtkObject.h>',
+        "filters/core/support/B.h": '#include "analysis/probe/Probe.h"',
         "filters/techniques/vsm/C.cpp": '#include <QWidget>',
         "filters/gpu/D.cpp": '#include "filters/techniques/vsm/Vsm.h"',
-        "datasets/E.cpp": '  #  include "filters/gpu/ShadowRenderer.h"',
-        "ui/F.cpp": '#include "app/display/Display.h"',
-        "app/J.cpp": '#include <QApplication>',
+        "datasets/maps/E.cpp": '  #  include "filters/gpu/ShadowRenderer.h"',
+        "ui/window/F.cpp": '#include "app/display/Display.h"',
+        "app/start/J.cpp": '#include <QApplication>',
         "app/commands/K.cpp": '#include <vtkRenderWindow.h>',
         "app/options/L.h": '#include <vtk_glew.h>',
-        "app/commands/M.cpp": '#include "ui/MainWindow.h"',
-        "app/N.cpp": '#include <EGL/egl.h>',
-        "datasets/O.cpp": '#include "app/display/Display.h"',
+        "app/commands/M.cpp": '#include "ui/window/MainWindow.h"',
+        "app/start/N.cpp": '#include <EGL/egl.h>',
+        "datasets/session/O.cpp": '#include "app/display/Display.h"',
+        "ui/picture/S.cpp": '#include "ui/probe/Prober.h"',
+        "analysis/T.cpp": '#include "analysis/probe/Probe.h"',
+        "filters/core/maps/U.h": '#include "filters/core/technique/Technique.h"',
     }
     good = {
-        "ui/G.cpp": '#include <QWidget>\n#include "filters/gpu/ShadowRenderer.h"',
-        "filters/gpu/H.cpp": '#include <vtkActor.h>\n#include "filters/core/Image.h"',
-        "app/display/P.cpp": '#include <QApplication>\n#include <vtkRenderWindow.h>\n#include "ui/MainWindow.h"',
-        "app/commands/R.cpp": '#include "app/display/Display.h"\n#include "datasets/Session.h"',
-        "analysis/I.cpp": '#include <vector>\n#include "filters/core/Region.h"',
+        "ui/picture/G.cpp": '#include <QWidget>\n#include "filters/gpu/ShadowRenderer.h"',
+        "filters/gpu/H.cpp": '#include <vtkActor.h>\n#include "filters/core/maps/Image.h"',
+        "app/display/P.cpp": '#include <QApplication>\n#include <vtkRenderWindow.h>\n#include "ui/window/MainWindow.h"',
+        "app/commands/R.cpp": '#include "app/display/Display.h"\n#include "datasets/session/Session.h"',
+        "ui/probe/V.cpp": '#include "ui/picture/SceneView.h"',
+        "analysis/errors/ITest.cpp": '#include "analysis/plots/PlanesForm.h"',
+        "analysis/errors/I.cpp": '#include <vector>\n#include "filters/core/maps/Region.h"',
     }
     missed = [path for path, text in bad.items() if not list(problems_in(path, text))]
     wrong = [path for path, text in good.items() if list(problems_in(path, text))]

@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "tests/widgets/Grab.h"
-#include "ui/widgets/ColourBar.h"
-#include "ui/widgets/ColourMap.h"
-#include "ui/widgets/Style.h"
+#include "ui/widgets/base/Style.h"
+#include "ui/widgets/maps/ColourBar.h"
+#include "ui/widgets/maps/ColourMap.h"
 
 namespace umbra {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/widgets/ErrorTable.h"
+#include "ui/widgets/tables/ErrorTable.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <QTest>
 #include <vector>
 
-#include "ui/widgets/Style.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 namespace {

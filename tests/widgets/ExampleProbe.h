@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "analysis/Probe.h"
+#include "analysis/probe/Probe.h"
 #include "tests/widgets/ExampleTechnique.h"
 
 namespace umbra {

@@ -1,4 +1,4 @@
-#include "ui/widgets/FrameSettingsForm.h"
+#include "ui/widgets/forms/FrameSettingsForm.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <QLabel>
 #include <QTest>
 
-#include "ui/widgets/Controls.h"
+#include "ui/widgets/forms/Controls.h"
 
 namespace umbra {
 namespace {

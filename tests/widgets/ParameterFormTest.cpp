@@ -1,4 +1,4 @@
-#include "ui/widgets/ParameterForm.h"
+#include "ui/widgets/forms/ParameterForm.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <QToolButton>
 
 #include "tests/widgets/ExampleTechnique.h"
-#include "ui/widgets/Controls.h"
+#include "ui/widgets/forms/Controls.h"
 
 namespace umbra {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/widgets/PictureCanvas.h"
+#include "ui/widgets/maps/PictureCanvas.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ui/widgets/PlotPane.h"
+#include "ui/widgets/plots/PlotPane.h"
 
 #include <gtest/gtest.h>
 #include <qwt_plot.h>
@@ -13,8 +13,8 @@
 #include <QTest>
 #include <cmath>
 
-#include "analysis/ProbePlots.h"
-#include "filters/core/Error.h"
+#include "analysis/plots/ProbePlots.h"
+#include "filters/core/support/Error.h"
 #include "tests/widgets/Mouse.h"
 
 namespace umbra {

@@ -1,4 +1,4 @@
-#include "ui/widgets/PlotReadout.h"
+#include "ui/widgets/plots/PlotReadout.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ui/widgets/ShadowMapCanvas.h"
+#include "ui/widgets/maps/ShadowMapCanvas.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "tests/widgets/ExampleProbe.h"
 #include "tests/widgets/Grab.h"
 #include "tests/widgets/Mouse.h"
-#include "ui/widgets/Style.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/widgets/ShadowMapView.h"
+#include "ui/widgets/maps/ShadowMapView.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <QTest>
 
 #include "tests/widgets/ExampleProbe.h"
-#include "ui/widgets/ShadowMapCanvas.h"
+#include "ui/widgets/maps/ShadowMapCanvas.h"
 
 namespace umbra {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/widgets/SliderScale.h"
+#include "ui/widgets/forms/SliderScale.h"
 
 #include <gtest/gtest.h>
 

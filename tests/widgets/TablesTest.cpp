@@ -11,10 +11,10 @@
 
 #include "tests/widgets/ExampleProbe.h"
 #include "tests/widgets/Grab.h"
-#include "ui/widgets/ProbeTable.h"
-#include "ui/widgets/ProbeTableModel.h"
-#include "ui/widgets/RegionTable.h"
-#include "ui/widgets/Style.h"
+#include "ui/widgets/base/Style.h"
+#include "ui/widgets/tables/ProbeTable.h"
+#include "ui/widgets/tables/ProbeTableModel.h"
+#include "ui/widgets/tables/RegionTable.h"
 
 namespace umbra {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/widgets/TechniqueList.h"
+#include "ui/widgets/forms/TechniqueList.h"
 
 #include <gtest/gtest.h>
 

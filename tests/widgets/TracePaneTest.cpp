@@ -1,4 +1,4 @@
-#include "ui/widgets/TracePane.h"
+#include "ui/widgets/tables/TracePane.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <QGuiApplication>
 #include <QTableWidget>
 
-#include "ui/widgets/Style.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 namespace {

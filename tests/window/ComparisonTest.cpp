@@ -4,20 +4,20 @@
 #include <QTest>
 #include <cmath>
 
-#include "datasets/DepthFile.h"
-#include "datasets/PaneEditing.h"
-#include "datasets/SessionFile.h"
+#include "datasets/maps/DepthFile.h"
+#include "datasets/session/PaneEditing.h"
+#include "datasets/session/file/SessionFile.h"
 #include "tests/window/Pictures.h"
 #include "tests/window/WindowTest.h"
-#include "ui/CentrePane.h"
-#include "ui/ComparisonPanes.h"
-#include "ui/PaneHeader.h"
-#include "ui/Prober.h"
-#include "ui/SceneView.h"
-#include "ui/TechniquePicture.h"
-#include "ui/WipeHandle.h"
-#include "ui/widgets/ShadowMapView.h"
-#include "ui/widgets/Style.h"
+#include "ui/panes/ComparisonPanes.h"
+#include "ui/panes/PaneHeader.h"
+#include "ui/panes/WipeHandle.h"
+#include "ui/picture/SceneView.h"
+#include "ui/picture/TechniquePicture.h"
+#include "ui/probe/Prober.h"
+#include "ui/widgets/base/Style.h"
+#include "ui/widgets/maps/ShadowMapView.h"
+#include "ui/window/CentrePane.h"
 
 namespace umbra {
 void WindowTest::settlePanes() {

@@ -8,17 +8,17 @@
 #include <QTest>
 
 #include "tests/window/WindowTest.h"
-#include "ui/ControlPane.h"
-#include "ui/EvidencePanes.h"
-#include "ui/Prober.h"
-#include "ui/ReductionTools.h"
-#include "ui/SceneView.h"
-#include "ui/widgets/ParameterForm.h"
-#include "ui/widgets/PlotPane.h"
-#include "ui/widgets/ProbeTable.h"
-#include "ui/widgets/ShadowMapCanvas.h"
-#include "ui/widgets/ShadowMapView.h"
-#include "ui/widgets/TechniqueList.h"
+#include "ui/picture/SceneView.h"
+#include "ui/probe/EvidencePanes.h"
+#include "ui/probe/Prober.h"
+#include "ui/probe/ReductionTools.h"
+#include "ui/widgets/forms/ParameterForm.h"
+#include "ui/widgets/forms/TechniqueList.h"
+#include "ui/widgets/maps/ShadowMapCanvas.h"
+#include "ui/widgets/maps/ShadowMapView.h"
+#include "ui/widgets/plots/PlotPane.h"
+#include "ui/widgets/tables/ProbeTable.h"
+#include "ui/window/ControlPane.h"
 
 namespace umbra {
 namespace {

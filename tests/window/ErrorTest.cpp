@@ -8,18 +8,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/BleedReduction.h"
-#include "analysis/ReceiverPixels.h"
-#include "datasets/DepthFile.h"
+#include "analysis/errors/BleedReduction.h"
+#include "analysis/frame/ReceiverPixels.h"
+#include "datasets/maps/DepthFile.h"
 #include "tests/widgets/Mouse.h"
 #include "tests/window/WindowTest.h"
-#include "ui/ErrorController.h"
-#include "ui/ErrorPane.h"
-#include "ui/Prober.h"
-#include "ui/SceneView.h"
-#include "ui/widgets/ErrorTable.h"
-#include "ui/widgets/PictureCanvas.h"
-#include "ui/widgets/Style.h"
+#include "ui/errors/ErrorController.h"
+#include "ui/errors/ErrorPane.h"
+#include "ui/picture/SceneView.h"
+#include "ui/probe/Prober.h"
+#include "ui/widgets/base/Style.h"
+#include "ui/widgets/maps/PictureCanvas.h"
+#include "ui/widgets/tables/ErrorTable.h"
 
 namespace umbra {
 namespace {

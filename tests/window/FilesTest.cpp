@@ -6,18 +6,18 @@
 #include <QTest>
 #include <random>
 
-#include "datasets/DepthFile.h"
-#include "filters/core/Error.h"
+#include "datasets/maps/DepthFile.h"
+#include "filters/core/support/Error.h"
 #include "tests/window/WindowTest.h"
-#include "ui/CentrePane.h"
-#include "ui/EvidencePanes.h"
-#include "ui/MessageBanner.h"
-#include "ui/Prober.h"
-#include "ui/SceneForm.h"
-#include "ui/SceneView.h"
-#include "ui/WindowMemory.h"
-#include "ui/widgets/PlotPane.h"
-#include "ui/widgets/ShadowMapView.h"
+#include "ui/picture/SceneView.h"
+#include "ui/probe/EvidencePanes.h"
+#include "ui/probe/Prober.h"
+#include "ui/widgets/maps/ShadowMapView.h"
+#include "ui/widgets/plots/PlotPane.h"
+#include "ui/window/CentrePane.h"
+#include "ui/window/MessageBanner.h"
+#include "ui/window/SceneForm.h"
+#include "ui/window/WindowMemory.h"
 
 namespace umbra {
 namespace {

@@ -4,11 +4,11 @@
 #include <vtkRenderer.h>
 #include <QTest>
 
-#include "analysis/WorstPixel.h"
+#include "analysis/errors/WorstPixel.h"
 #include "tests/window/WindowTest.h"
-#include "ui/Footprint.h"
-#include "ui/LightHandle.h"
-#include "ui/SceneProjection.h"
+#include "ui/picture/Footprint.h"
+#include "ui/picture/LightHandle.h"
+#include "ui/picture/SceneProjection.h"
 
 namespace umbra {
 

@@ -7,14 +7,14 @@
 #include <QToolButton>
 #include <cmath>
 
-#include "datasets/DepthFile.h"
+#include "datasets/maps/DepthFile.h"
 #include "tests/window/WindowTest.h"
-#include "ui/CentrePane.h"
-#include "ui/KeptProbes.h"
-#include "ui/KeptProbesPane.h"
-#include "ui/Prober.h"
-#include "ui/SceneView.h"
-#include "ui/widgets/ShadowMapView.h"
+#include "ui/picture/SceneView.h"
+#include "ui/probe/KeptProbes.h"
+#include "ui/probe/KeptProbesPane.h"
+#include "ui/probe/Prober.h"
+#include "ui/widgets/maps/ShadowMapView.h"
+#include "ui/window/CentrePane.h"
 
 namespace umbra {
 namespace {

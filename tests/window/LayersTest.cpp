@@ -7,13 +7,13 @@
 #include <QTest>
 #include <cmath>
 
-#include "filters/core/Lloyd.h"
+#include "filters/core/technique/Lloyd.h"
 #include "filters/techniques/lvsm/Layers.h"
 #include "tests/widgets/Mouse.h"
 #include "tests/window/WindowTest.h"
-#include "ui/LayersPane.h"
-#include "ui/SceneView.h"
-#include "ui/widgets/PlotPane.h"
+#include "ui/layers/LayersPane.h"
+#include "ui/picture/SceneView.h"
+#include "ui/widgets/plots/PlotPane.h"
 
 namespace umbra {
 namespace {

@@ -8,17 +8,17 @@
 #include <QTableView>
 #include <QTest>
 
-#include "datasets/LessonCatalogue.h"
+#include "datasets/lessons/LessonCatalogue.h"
 #include "tests/window/WindowTest.h"
-#include "ui/EvidencePanes.h"
-#include "ui/LessonController.h"
-#include "ui/LessonPane.h"
-#include "ui/LessonQuestionPane.h"
-#include "ui/Prober.h"
-#include "ui/SceneView.h"
-#include "ui/WindowMemory.h"
-#include "ui/widgets/PlotPane.h"
-#include "ui/widgets/ProbeTable.h"
+#include "ui/lessons/LessonController.h"
+#include "ui/lessons/LessonPane.h"
+#include "ui/lessons/LessonQuestionPane.h"
+#include "ui/picture/SceneView.h"
+#include "ui/probe/EvidencePanes.h"
+#include "ui/probe/Prober.h"
+#include "ui/widgets/plots/PlotPane.h"
+#include "ui/widgets/tables/ProbeTable.h"
+#include "ui/window/WindowMemory.h"
 
 namespace umbra {
 namespace {

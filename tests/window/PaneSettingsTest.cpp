@@ -2,19 +2,19 @@
 #include <QTest>
 #include <cmath>
 
-#include "datasets/PaneEditing.h"
+#include "datasets/session/PaneEditing.h"
 #include "tests/window/Pictures.h"
 #include "tests/window/WindowTest.h"
-#include "ui/CentrePane.h"
-#include "ui/ComparisonPanes.h"
-#include "ui/ControlPane.h"
-#include "ui/PaneHeader.h"
-#include "ui/PaneMenu.h"
-#include "ui/Prober.h"
-#include "ui/SceneView.h"
-#include "ui/TechniquePicture.h"
-#include "ui/widgets/FrameSettingsForm.h"
-#include "ui/widgets/Style.h"
+#include "ui/panes/ComparisonPanes.h"
+#include "ui/panes/PaneHeader.h"
+#include "ui/panes/PaneMenu.h"
+#include "ui/picture/SceneView.h"
+#include "ui/picture/TechniquePicture.h"
+#include "ui/probe/Prober.h"
+#include "ui/widgets/base/Style.h"
+#include "ui/widgets/forms/FrameSettingsForm.h"
+#include "ui/window/CentrePane.h"
+#include "ui/window/ControlPane.h"
 
 namespace umbra {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "datasets/Session.h"
-#include "ui/MainWindow.h"
-#include "ui/SceneView.h"
+#include "datasets/session/Session.h"
+#include "ui/picture/SceneView.h"
+#include "ui/window/MainWindow.h"
 
 namespace umbra {
 

@@ -4,14 +4,14 @@
 #include <QTest>
 #include <optional>
 
-#include "analysis/SurfaceErrors.h"
-#include "datasets/MeshFile.h"
-#include "filters/core/Error.h"
+#include "analysis/surfaces/SurfaceErrors.h"
+#include "datasets/meshes/MeshFile.h"
+#include "filters/core/support/Error.h"
 #include "tests/window/WindowTest.h"
-#include "ui/CentrePane.h"
-#include "ui/MessageBanner.h"
-#include "ui/SceneView.h"
-#include "ui/SurfaceExport.h"
+#include "ui/errors/SurfaceExport.h"
+#include "ui/picture/SceneView.h"
+#include "ui/window/CentrePane.h"
+#include "ui/window/MessageBanner.h"
 
 namespace umbra {
 namespace {

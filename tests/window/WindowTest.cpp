@@ -10,14 +10,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/RayTracedVisibility.h"
-#include "ui/EvidencePanes.h"
-#include "ui/Prober.h"
-#include "ui/SceneView.h"
-#include "ui/WindowMemory.h"
-#include "ui/WindowStyle.h"
-#include "ui/widgets/ProbeTable.h"
-#include "ui/widgets/Style.h"
+#include "analysis/rays/RayTracedVisibility.h"
+#include "ui/picture/SceneView.h"
+#include "ui/probe/EvidencePanes.h"
+#include "ui/probe/Prober.h"
+#include "ui/widgets/base/Style.h"
+#include "ui/widgets/tables/ProbeTable.h"
+#include "ui/window/WindowMemory.h"
+#include "ui/window/WindowStyle.h"
 
 namespace umbra {
 void WindowTest::initTestCase() {

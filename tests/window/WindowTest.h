@@ -6,8 +6,8 @@
 #include <QTemporaryDir>
 #include <memory>
 
-#include "ui/MainWindow.h"
-#include "ui/ProbeReport.h"
+#include "ui/picture/ProbeReport.h"
+#include "ui/window/MainWindow.h"
 
 namespace umbra {
 

@@ -1,15 +1,15 @@
-#include "ui/ErrorController.h"
+#include "ui/errors/ErrorController.h"
 
 #include <QMetaObject>
 #include <exception>
 #include <utility>
 #include <vector>
 
-#include "analysis/FrameDecomposition.h"
-#include "ui/Prober.h"
-#include "ui/SceneView.h"
-#include "ui/SessionController.h"
-#include "ui/widgets/Style.h"
+#include "analysis/errors/FrameDecomposition.h"
+#include "ui/picture/SceneView.h"
+#include "ui/probe/Prober.h"
+#include "ui/session/SessionController.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 namespace {

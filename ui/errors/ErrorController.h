@@ -11,8 +11,8 @@
 #include <optional>
 #include <thread>
 
-#include "analysis/ErrorDecomposition.h"
-#include "datasets/Session.h"
+#include "analysis/errors/ErrorDecomposition.h"
+#include "datasets/session/Session.h"
 
 namespace umbra {
 

@@ -1,4 +1,4 @@
-#include "ui/ErrorPane.h"
+#include "ui/errors/ErrorPane.h"
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -9,14 +9,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/ErrorController.h"
-#include "ui/ErrorPicture.h"
-#include "ui/Prober.h"
-#include "ui/widgets/ColourBar.h"
-#include "ui/widgets/ElidedLabel.h"
-#include "ui/widgets/ErrorTable.h"
-#include "ui/widgets/PictureCanvas.h"
-#include "ui/widgets/Style.h"
+#include "ui/errors/ErrorController.h"
+#include "ui/errors/ErrorPicture.h"
+#include "ui/probe/Prober.h"
+#include "ui/widgets/base/ElidedLabel.h"
+#include "ui/widgets/base/Style.h"
+#include "ui/widgets/maps/ColourBar.h"
+#include "ui/widgets/maps/PictureCanvas.h"
+#include "ui/widgets/tables/ErrorTable.h"
 
 namespace umbra {
 namespace {

@@ -5,8 +5,8 @@
 #include <memory>
 #include <optional>
 
-#include "ui/ErrorController.h"
-#include "ui/widgets/Card.h"
+#include "ui/errors/ErrorController.h"
+#include "ui/widgets/base/Card.h"
 
 class QBoxLayout;
 class QLabel;

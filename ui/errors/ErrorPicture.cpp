@@ -1,8 +1,8 @@
-#include "ui/ErrorPicture.h"
+#include "ui/errors/ErrorPicture.h"
 
 #include <cmath>
 
-#include "ui/widgets/ColourMap.h"
+#include "ui/widgets/maps/ColourMap.h"
 
 namespace umbra {
 namespace {

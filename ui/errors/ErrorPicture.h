@@ -4,7 +4,7 @@
 #include <QImage>
 #include <optional>
 
-#include "analysis/ErrorDecomposition.h"
+#include "analysis/errors/ErrorDecomposition.h"
 
 namespace umbra {
 

@@ -1,10 +1,10 @@
-#include "ui/SurfaceExport.h"
+#include "ui/errors/SurfaceExport.h"
 
 #include <QMetaObject>
 #include <exception>
 
-#include "datasets/FieldMeshPly.h"
-#include "filters/core/Error.h"
+#include "datasets/meshes/FieldMeshPly.h"
+#include "filters/core/support/Error.h"
 #include "filters/gpu/VtpFile.h"
 
 namespace umbra {

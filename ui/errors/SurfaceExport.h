@@ -6,7 +6,7 @@
 #include <memory>
 #include <thread>
 
-#include "analysis/SurfaceErrors.h"
+#include "analysis/surfaces/SurfaceErrors.h"
 
 namespace umbra {
 

@@ -1,13 +1,13 @@
-#include "ui/LayersController.h"
+#include "ui/layers/LayersController.h"
 
 #include <QMetaObject>
 #include <algorithm>
 #include <exception>
 #include <utility>
 
-#include "ui/SceneView.h"
-#include "ui/SessionController.h"
-#include "ui/widgets/Style.h"
+#include "ui/picture/SceneView.h"
+#include "ui/session/SessionController.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 namespace {

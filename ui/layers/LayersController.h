@@ -10,10 +10,10 @@
 #include <thread>
 #include <vector>
 
-#include "analysis/LloydRun.h"
-#include "analysis/Probe.h"
+#include "analysis/plots/LloydRun.h"
+#include "analysis/probe/Probe.h"
 #include "filters/techniques/lvsm/Layers.h"
-#include "ui/Document.h"
+#include "ui/session/Document.h"
 
 namespace umbra {
 

@@ -1,4 +1,4 @@
-#include "ui/LayersPane.h"
+#include "ui/layers/LayersPane.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -7,13 +7,13 @@
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "analysis/SplitPlots.h"
+#include "analysis/plots/SplitPlots.h"
 #include "filters/gpu/ViewColours.h"
-#include "ui/LayersController.h"
-#include "ui/SessionController.h"
-#include "ui/widgets/ElidedLabel.h"
-#include "ui/widgets/PlotPane.h"
-#include "ui/widgets/Style.h"
+#include "ui/layers/LayersController.h"
+#include "ui/session/SessionController.h"
+#include "ui/widgets/base/ElidedLabel.h"
+#include "ui/widgets/base/Style.h"
+#include "ui/widgets/plots/PlotPane.h"
 
 namespace umbra {
 namespace {

@@ -1,8 +1,8 @@
-#include "ui/LessonController.h"
+#include "ui/lessons/LessonController.h"
 
-#include "analysis/Measure.h"
-#include "ui/Prober.h"
-#include "ui/SessionController.h"
+#include "analysis/errors/Measure.h"
+#include "ui/probe/Prober.h"
+#include "ui/session/SessionController.h"
 
 namespace umbra {
 

@@ -5,7 +5,7 @@
 #include <QObject>
 #include <optional>
 
-#include "ui/LessonProgress.h"
+#include "ui/lessons/LessonProgress.h"
 
 namespace umbra {
 

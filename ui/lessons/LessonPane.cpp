@@ -1,4 +1,4 @@
-#include "ui/LessonPane.h"
+#include "ui/lessons/LessonPane.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -8,9 +8,9 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "ui/LessonController.h"
-#include "ui/LessonQuestionPane.h"
-#include "ui/widgets/Style.h"
+#include "ui/lessons/LessonController.h"
+#include "ui/lessons/LessonQuestionPane.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 namespace {

@@ -1,7 +1,7 @@
 // A lesson at the side of the picture: text, what to look at, the question, back and next.
 #pragma once
 
-#include "ui/widgets/Card.h"
+#include "ui/widgets/base/Card.h"
 
 class QLabel;
 class QPushButton;

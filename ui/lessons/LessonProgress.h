@@ -5,7 +5,7 @@
 #include <map>
 #include <optional>
 
-#include "datasets/Lesson.h"
+#include "datasets/lessons/Lesson.h"
 
 namespace umbra {
 

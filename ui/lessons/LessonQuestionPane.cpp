@@ -1,4 +1,4 @@
-#include "ui/LessonQuestionPane.h"
+#include "ui/lessons/LessonQuestionPane.h"
 
 #include <QDoubleSpinBox>
 #include <QGridLayout>
@@ -10,8 +10,8 @@
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "ui/LessonController.h"
-#include "ui/widgets/Style.h"
+#include "ui/lessons/LessonController.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 namespace {

@@ -1,17 +1,17 @@
-#include "ui/ComparisonPanes.h"
+#include "ui/panes/ComparisonPanes.h"
 
 #include <QGridLayout>
 #include <QToolButton>
 
-#include "datasets/PaneEditing.h"
-#include "ui/PaneHeader.h"
-#include "ui/PaneMenu.h"
-#include "ui/Prober.h"
-#include "ui/SceneView.h"
-#include "ui/SessionController.h"
-#include "ui/TechniquePicture.h"
-#include "ui/WipeHandle.h"
-#include "ui/widgets/Style.h"
+#include "datasets/session/PaneEditing.h"
+#include "ui/panes/PaneHeader.h"
+#include "ui/panes/PaneMenu.h"
+#include "ui/panes/WipeHandle.h"
+#include "ui/picture/SceneView.h"
+#include "ui/picture/TechniquePicture.h"
+#include "ui/probe/Prober.h"
+#include "ui/session/SessionController.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "datasets/Session.h"
-#include "ui/TechniquePictures.h"
+#include "datasets/session/Session.h"
+#include "ui/picture/TechniquePictures.h"
 
 class QGridLayout;
 class QToolButton;

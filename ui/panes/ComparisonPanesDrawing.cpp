@@ -2,12 +2,12 @@
 #include <algorithm>
 #include <exception>
 
-#include "filters/core/TechniqueEquality.h"
-#include "ui/ComparisonPanes.h"
-#include "ui/Prober.h"
-#include "ui/SceneView.h"
-#include "ui/SessionController.h"
-#include "ui/TechniquePicture.h"
+#include "filters/core/technique/TechniqueEquality.h"
+#include "ui/panes/ComparisonPanes.h"
+#include "ui/picture/SceneView.h"
+#include "ui/picture/TechniquePicture.h"
+#include "ui/probe/Prober.h"
+#include "ui/session/SessionController.h"
 
 namespace umbra {
 namespace {

@@ -1,12 +1,12 @@
 // What the panes make of the probed point.
 #include <algorithm>
 
-#include "filters/core/TechniqueEquality.h"
-#include "ui/ComparisonPanes.h"
-#include "ui/PaneHeader.h"
-#include "ui/Prober.h"
-#include "ui/SceneView.h"
-#include "ui/SessionController.h"
+#include "filters/core/technique/TechniqueEquality.h"
+#include "ui/panes/ComparisonPanes.h"
+#include "ui/panes/PaneHeader.h"
+#include "ui/picture/SceneView.h"
+#include "ui/probe/Prober.h"
+#include "ui/session/SessionController.h"
 
 namespace umbra {
 void ComparisonPanes::refreshFigures() {

@@ -2,16 +2,16 @@
 #include <QGridLayout>
 #include <QToolButton>
 
-#include "datasets/PaneLabels.h"
-#include "filters/core/Composition.h"
-#include "ui/ComparisonPanes.h"
-#include "ui/PaneHeader.h"
-#include "ui/PaneMenu.h"
-#include "ui/SceneView.h"
-#include "ui/SessionController.h"
-#include "ui/TechniquePicture.h"
-#include "ui/WipeHandle.h"
-#include "ui/widgets/Style.h"
+#include "datasets/session/PaneLabels.h"
+#include "filters/core/technique/Composition.h"
+#include "ui/panes/ComparisonPanes.h"
+#include "ui/panes/PaneHeader.h"
+#include "ui/panes/PaneMenu.h"
+#include "ui/panes/WipeHandle.h"
+#include "ui/picture/SceneView.h"
+#include "ui/picture/TechniquePicture.h"
+#include "ui/session/SessionController.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 namespace {

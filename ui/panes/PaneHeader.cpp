@@ -1,4 +1,4 @@
-#include "ui/PaneHeader.h"
+#include "ui/panes/PaneHeader.h"
 
 #include <QComboBox>
 #include <QContextMenuEvent>
@@ -12,9 +12,10 @@
 #include <QToolButton>
 #include <string_view>
 
-#include "ui/ProbeReport.h"
-#include "ui/widgets/ElidedLabel.h"
-#include "ui/widgets/Style.h"
+#include "ui/picture/ProbeReport.h"
+#include "ui/widgets/base/ElidedLabel.h"
+#include "ui/widgets/base/Style.h"
+#include "ui/widgets/base/TechniqueTitle.h"
 
 namespace umbra {
 namespace {
@@ -30,12 +31,6 @@ QPixmap chip(const QColor& colour) {
 }
 
 }  // namespace
-
-QString shortTitle(const Technique& technique) {
-  const QString title = style::text(technique.info().title);
-  const int open = title.lastIndexOf('('), close = title.lastIndexOf(')');
-  return open >= 0 && close > open ? title.mid(open + 1, close - open - 1) : title;
-}
 
 PaneHeader::PaneHeader(const std::vector<const Technique*>& techniques, QMenu& menu,
                        QWidget* parent)

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "filters/core/Technique.h"
+#include "filters/core/technique/Technique.h"
 
 class QComboBox;
 class QGridLayout;
@@ -19,9 +19,6 @@ class QToolButton;
 namespace umbra {
 
 class ElidedLabel;
-
-// "Variance (VSM)" is VSM to those who have read its title in the list.
-QString shortTitle(const Technique& technique);
 
 class PaneHeader : public QWidget {
   Q_OBJECT

@@ -1,6 +1,6 @@
-#include "ui/PaneMenu.h"
+#include "ui/panes/PaneMenu.h"
 
-#include "ui/SessionController.h"
+#include "ui/session/SessionController.h"
 
 namespace umbra {
 namespace {

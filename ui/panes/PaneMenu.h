@@ -3,7 +3,7 @@
 
 #include <QMenu>
 
-#include "datasets/PaneEditing.h"
+#include "datasets/session/PaneEditing.h"
 
 namespace umbra {
 

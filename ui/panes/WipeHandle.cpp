@@ -1,4 +1,4 @@
-#include "ui/WipeHandle.h"
+#include "ui/panes/WipeHandle.h"
 
 #include <QEvent>
 #include <QMouseEvent>
@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/widgets/Style.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/Footprint.h"
+#include "ui/picture/Footprint.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "filters/core/Light.h"
-#include "filters/core/Region.h"
+#include "filters/core/maps/Region.h"
+#include "filters/core/scene/Light.h"
 
 namespace umbra {
 

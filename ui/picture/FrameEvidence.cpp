@@ -1,4 +1,4 @@
-#include "ui/FrameEvidence.h"
+#include "ui/picture/FrameEvidence.h"
 
 namespace umbra {
 

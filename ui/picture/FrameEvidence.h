@@ -5,11 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include "analysis/DrawnFrame.h"
-#include "datasets/Session.h"
-#include "filters/core/Cascades.h"
-#include "filters/core/Image.h"
-#include "ui/Footprint.h"
+#include "analysis/frame/DrawnFrame.h"
+#include "datasets/session/Session.h"
+#include "filters/core/maps/Cascades.h"
+#include "filters/core/maps/Image.h"
+#include "ui/picture/Footprint.h"
 
 namespace umbra {
 

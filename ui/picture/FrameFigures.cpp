@@ -1,10 +1,10 @@
-#include "ui/FrameFigures.h"
+#include "ui/picture/FrameFigures.h"
 
 #include <QObject>
 #include <QStringList>
 
 #include "filters/gpu/ChannelBaker.h"
-#include "ui/widgets/Style.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 QString passTimesText(const std::vector<PassTime>& times) {

@@ -1,4 +1,4 @@
-#include "ui/LightHandle.h"
+#include "ui/picture/LightHandle.h"
 
 #include <QRectF>
 #include <algorithm>

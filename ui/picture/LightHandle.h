@@ -4,8 +4,8 @@
 #include <QPointF>
 #include <optional>
 
-#include "filters/core/Light.h"
-#include "ui/SceneProjection.h"
+#include "filters/core/scene/Light.h"
+#include "ui/picture/SceneProjection.h"
 
 namespace umbra {
 

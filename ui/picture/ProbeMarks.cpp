@@ -1,11 +1,10 @@
-#include "ui/ProbeMarks.h"
+#include "ui/picture/ProbeMarks.h"
 
 #include <QFontMetricsF>
 #include <algorithm>
 #include <optional>
 
-#include "ui/KeptProbes.h"
-#include "ui/widgets/Style.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 namespace {
@@ -50,15 +49,6 @@ void drawDisc(QPainter& painter, const PlacedMark& placed) {
 }
 
 }  // namespace
-
-std::vector<ProbeMark> marksOf(const KeptProbes& probes) {
-  std::vector<ProbeMark> marks;
-  int number = 0;
-  for (const KeptProbes::Row& row : probes.rows())
-    if (++number; row.probe.point && number - 1 != probes.current())
-      marks.push_back({number, style::text(row.probe.name), *row.probe.point, row.hidden});
-  return marks;
-}
 
 void drawMarks(QPainter& painter, const std::vector<ProbeMark>& marks,
                const SceneProjection& projection, const QRectF& area,

@@ -6,11 +6,9 @@
 #include <QString>
 #include <vector>
 
-#include "ui/SceneProjection.h"
+#include "ui/picture/SceneProjection.h"
 
 namespace umbra {
-
-class KeptProbes;
 
 struct ProbeMark {
   int number = 1;  // of its row in the table
@@ -18,9 +16,6 @@ struct ProbeMark {
   Eigen::Vector3d point;  // world
   bool hidden = false;    // from the camera: its disc is hollow
 };
-
-// Of all but the one that the session's probe is at, which is drawn as the probe.
-std::vector<ProbeMark> marksOf(const KeptProbes& probes);
 
 // `avoid` are shapes (logical pixels) that no name had better cover. Names keep off one another;
 // one that finds no room is left out.

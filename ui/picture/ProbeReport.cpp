@@ -1,4 +1,4 @@
-#include "ui/ProbeReport.h"
+#include "ui/picture/ProbeReport.h"
 
 namespace umbra {
 

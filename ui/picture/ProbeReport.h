@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "analysis/Probe.h"
-#include "datasets/Session.h"
-#include "ui/Footprint.h"
+#include "analysis/probe/Probe.h"
+#include "datasets/session/Session.h"
+#include "ui/picture/Footprint.h"
 
 namespace umbra {
 

@@ -1,11 +1,11 @@
-#include "ui/SceneOverlay.h"
+#include "ui/picture/SceneOverlay.h"
 
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
 
-#include "ui/widgets/Style.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 namespace {

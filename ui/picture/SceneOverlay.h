@@ -6,10 +6,10 @@
 #include <QWidget>
 #include <optional>
 
-#include "ui/LightHandle.h"
-#include "ui/ProbeMarks.h"
-#include "ui/ProbeReport.h"
-#include "ui/SceneProjection.h"
+#include "ui/picture/LightHandle.h"
+#include "ui/picture/ProbeMarks.h"
+#include "ui/picture/ProbeReport.h"
+#include "ui/picture/SceneProjection.h"
 
 namespace umbra {
 

@@ -1,4 +1,4 @@
-#include "ui/SceneProjection.h"
+#include "ui/picture/SceneProjection.h"
 
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>

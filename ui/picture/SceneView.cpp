@@ -1,4 +1,4 @@
-#include "ui/SceneView.h"
+#include "ui/picture/SceneView.h"
 
 #include <QMouseEvent>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 
-#include "filters/core/TechniqueEquality.h"
+#include "filters/core/technique/TechniqueEquality.h"
 
 namespace umbra {
 namespace {

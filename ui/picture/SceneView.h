@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "filters/gpu/ShadowRenderer.h"
-#include "ui/Document.h"
-#include "ui/Footprint.h"
-#include "ui/ProbeReport.h"
-#include "ui/SceneOverlay.h"
+#include "ui/picture/Footprint.h"
+#include "ui/picture/ProbeReport.h"
+#include "ui/picture/SceneOverlay.h"
+#include "ui/session/Document.h"
 
 namespace umbra {
 

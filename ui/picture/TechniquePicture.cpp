@@ -1,10 +1,10 @@
-#include "ui/TechniquePicture.h"
+#include "ui/picture/TechniquePicture.h"
 
 #include <QMouseEvent>
 #include <QPainter>
 #include <cmath>
 
-#include "ui/widgets/Style.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 

@@ -5,8 +5,8 @@
 #include <QString>
 #include <QWidget>
 
-#include "datasets/Session.h"
-#include "ui/SceneOverlay.h"
+#include "datasets/session/Session.h"
+#include "ui/picture/SceneOverlay.h"
 
 namespace umbra {
 

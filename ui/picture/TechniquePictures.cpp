@@ -1,4 +1,4 @@
-#include "ui/TechniquePictures.h"
+#include "ui/picture/TechniquePictures.h"
 
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
@@ -7,7 +7,7 @@
 #include <vtkCallbackCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 
-#include "filters/core/Error.h"
+#include "filters/core/support/Error.h"
 #include "filters/gpu/ShadowRenderer.h"
 
 namespace umbra {

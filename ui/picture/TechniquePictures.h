@@ -7,11 +7,11 @@
 #include <QSize>
 #include <memory>
 
-#include "filters/core/FrameSettings.h"
-#include "filters/core/Light.h"
-#include "filters/core/Scene.h"
-#include "filters/core/Technique.h"
-#include "ui/FrameEvidence.h"
+#include "filters/core/scene/Light.h"
+#include "filters/core/scene/Scene.h"
+#include "filters/core/settings/FrameSettings.h"
+#include "filters/core/technique/Technique.h"
+#include "ui/picture/FrameEvidence.h"
 
 class QOffscreenSurface;
 class QOpenGLContext;

@@ -4,7 +4,7 @@
 #include <qwt_plot_item.h>
 #include <qwt_text.h>
 
-#include "analysis/Plot.h"
+#include "analysis/plots/Plot.h"
 #include "ui/plots/LabelPlacer.h"
 
 namespace umbra {

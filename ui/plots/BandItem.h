@@ -3,7 +3,7 @@
 
 #include <qwt_plot_item.h>
 
-#include "analysis/Plot.h"
+#include "analysis/plots/Plot.h"
 
 namespace umbra {
 

@@ -3,7 +3,7 @@
 
 #include <QObject>
 
-#include "analysis/Plot.h"
+#include "analysis/plots/Plot.h"
 
 class QwtPlot;
 

@@ -1,4 +1,4 @@
-#include "ui/PlotRenderer.h"
+#include "ui/plots/PlotRenderer.h"
 
 #include <qwt_plot.h>
 #include <qwt_plot_renderer.h>
@@ -12,8 +12,8 @@
 #include <cmath>
 #include <memory>
 
-#include "filters/core/AtomicFile.h"
-#include "filters/core/Error.h"
+#include "filters/core/support/AtomicFile.h"
+#include "filters/core/support/Error.h"
 #include "ui/plots/AnnotationItem.h"
 #include "ui/plots/BandItem.h"
 #include "ui/plots/PlotFitter.h"

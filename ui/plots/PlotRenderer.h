@@ -1,11 +1,11 @@
-// Draws analysis/Plot.h with Qwt: on a widget, and into SVG, PDF and PNG files.
+// Draws analysis/plots/Plot.h with Qwt: on a widget, and into SVG, PDF and PNG files.
 #pragma once
 
 #include <QSize>
 #include <filesystem>
 #include <string>
 
-#include "analysis/Plot.h"
+#include "analysis/plots/Plot.h"
 
 class QwtPlot;
 class QImage;

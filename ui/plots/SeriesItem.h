@@ -6,7 +6,7 @@
 
 #include <QPolygonF>
 
-#include "analysis/Plot.h"
+#include "analysis/plots/Plot.h"
 
 namespace umbra {
 

@@ -1,22 +1,22 @@
-#include "ui/EvidencePanes.h"
+#include "ui/probe/EvidencePanes.h"
 
 #include <QEvent>
 #include <algorithm>
 #include <exception>
 
-#include "analysis/Explain.h"
-#include "analysis/ProbePlots.h"
-#include "datasets/Comparison.h"
-#include "ui/Prober.h"
-#include "ui/RayTracedTruth.h"
-#include "ui/SceneView.h"
-#include "ui/SessionController.h"
-#include "ui/widgets/PlotPane.h"
-#include "ui/widgets/ProbeTable.h"
-#include "ui/widgets/RegionTable.h"
-#include "ui/widgets/ShadowMapView.h"
-#include "ui/widgets/Style.h"
-#include "ui/widgets/TracePane.h"
+#include "analysis/plots/ProbePlots.h"
+#include "analysis/probe/Explain.h"
+#include "datasets/session/Comparison.h"
+#include "ui/picture/SceneView.h"
+#include "ui/probe/Prober.h"
+#include "ui/probe/RayTracedTruth.h"
+#include "ui/session/SessionController.h"
+#include "ui/widgets/base/Style.h"
+#include "ui/widgets/maps/ShadowMapView.h"
+#include "ui/widgets/plots/PlotPane.h"
+#include "ui/widgets/tables/ProbeTable.h"
+#include "ui/widgets/tables/RegionTable.h"
+#include "ui/widgets/tables/TracePane.h"
 
 namespace umbra {
 namespace {

@@ -5,8 +5,8 @@
 #include <QStringList>
 #include <vector>
 
-#include "filters/core/Image.h"
-#include "filters/core/Kernel.h"
+#include "filters/core/maps/Image.h"
+#include "filters/core/settings/Kernel.h"
 
 namespace umbra {
 

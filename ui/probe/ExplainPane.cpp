@@ -1,16 +1,16 @@
-#include "ui/ExplainPane.h"
+#include "ui/probe/ExplainPane.h"
 
 #include <QComboBox>
 #include <QMetaObject>
 #include <QVBoxLayout>
 #include <exception>
 
-#include "datasets/SceneCatalogue.h"
-#include "ui/Prober.h"
-#include "ui/SessionController.h"
-#include "ui/widgets/Controls.h"
-#include "ui/widgets/PlotPane.h"
-#include "ui/widgets/Style.h"
+#include "datasets/scenes/SceneCatalogue.h"
+#include "ui/probe/Prober.h"
+#include "ui/session/SessionController.h"
+#include "ui/widgets/base/Style.h"
+#include "ui/widgets/forms/Controls.h"
+#include "ui/widgets/plots/PlotPane.h"
 
 namespace umbra {
 namespace {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <thread>
 
-#include "analysis/ExplainingPlots.h"
-#include "ui/ProbeReport.h"
+#include "analysis/plots/ExplainingPlots.h"
+#include "ui/picture/ProbeReport.h"
 
 class QComboBox;
 

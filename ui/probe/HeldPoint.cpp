@@ -1,7 +1,7 @@
-#include "ui/HeldPoint.h"
+#include "ui/probe/HeldPoint.h"
 
-#include "ui/Document.h"
-#include "ui/SceneView.h"
+#include "ui/picture/SceneView.h"
+#include "ui/session/Document.h"
 
 namespace umbra {
 namespace {

@@ -5,11 +5,11 @@
 #include <optional>
 #include <variant>
 
-#include "analysis/SurfaceRead.h"
-#include "analysis/SurfaceSpot.h"
+#include "analysis/surfaces/SurfaceRead.h"
+#include "analysis/surfaces/SurfaceSpot.h"
 #include "filters/gpu/ShadowRenderer.h"
-#include "ui/Footprint.h"
-#include "ui/ProbeReport.h"
+#include "ui/picture/Footprint.h"
+#include "ui/picture/ProbeReport.h"
 
 namespace umbra {
 

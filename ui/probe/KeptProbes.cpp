@@ -1,12 +1,12 @@
-#include "ui/KeptProbes.h"
+#include "ui/probe/KeptProbes.h"
 
 #include <algorithm>
 #include <exception>
 
-#include "ui/Prober.h"
-#include "ui/SceneView.h"
-#include "ui/SessionController.h"
-#include "ui/widgets/Style.h"
+#include "ui/picture/SceneView.h"
+#include "ui/probe/Prober.h"
+#include "ui/session/SessionController.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 namespace {
@@ -112,6 +112,15 @@ void KeptProbes::read(std::size_t index) {
   } catch (const std::exception& problem) {
     row.reason = QString::fromUtf8(problem.what());
   }
+}
+
+std::vector<ProbeMark> KeptProbes::marks() const {
+  std::vector<ProbeMark> marks;
+  int number = 0;
+  for (const Row& row : rows_)
+    if (++number; row.probe.point && number - 1 != current())
+      marks.push_back({number, style::text(row.probe.name), *row.probe.point, row.hidden});
+  return marks;
 }
 
 int KeptProbes::current() const {

@@ -7,8 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/ProbeSheet.h"
-#include "ui/HeldPoint.h"
+#include "analysis/probe/ProbeSheet.h"
+#include "ui/picture/ProbeMarks.h"
+#include "ui/probe/HeldPoint.h"
 
 namespace umbra {
 
@@ -36,6 +37,9 @@ class KeptProbes : public QObject {
   const std::vector<Row>& rows() const { return rows_; }
   // The one that the session's probe is at; −1 for none.
   int current() const;
+  // Marks for the picture: all but the probe that the session's probe is at, which is drawn as the
+  // probe.
+  std::vector<ProbeMark> marks() const;
   // All are read with the present settings.
   bool upToDate() const { return next_ >= rows_.size() && !rest_.isActive(); }
 

@@ -1,4 +1,4 @@
-#include "ui/KeptProbesPane.h"
+#include "ui/probe/KeptProbesPane.h"
 
 #include <QAction>
 #include <QClipboard>
@@ -9,14 +9,14 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "datasets/Comparison.h"
-#include "ui/KeptProbes.h"
-#include "ui/PaneHeader.h"
-#include "ui/Prober.h"
-#include "ui/SessionController.h"
-#include "ui/widgets/KeptProbesModel.h"
-#include "ui/widgets/PlainTable.h"
-#include "ui/widgets/Style.h"
+#include "datasets/session/Comparison.h"
+#include "ui/probe/KeptProbes.h"
+#include "ui/probe/Prober.h"
+#include "ui/session/SessionController.h"
+#include "ui/widgets/base/Style.h"
+#include "ui/widgets/base/TechniqueTitle.h"
+#include "ui/widgets/tables/KeptProbesModel.h"
+#include "ui/widgets/tables/PlainTable.h"
 
 namespace umbra {
 namespace {

@@ -1,7 +1,7 @@
 // The table of the kept probes and what can be done with them.
 #pragma once
 
-#include "ui/widgets/Card.h"
+#include "ui/widgets/base/Card.h"
 
 class QLabel;
 class QTableView;

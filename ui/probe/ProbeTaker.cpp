@@ -1,8 +1,8 @@
-#include "ui/ProbeTaker.h"
+#include "ui/probe/ProbeTaker.h"
 
-#include "analysis/DrawnFrame.h"
-#include "ui/SceneView.h"
-#include "ui/SessionController.h"
+#include "analysis/frame/DrawnFrame.h"
+#include "ui/picture/SceneView.h"
+#include "ui/session/SessionController.h"
 
 namespace umbra {
 

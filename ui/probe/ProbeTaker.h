@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "ui/HeldPoint.h"
-#include "ui/ProbeReport.h"
+#include "ui/picture/ProbeReport.h"
+#include "ui/probe/HeldPoint.h"
 
 namespace umbra {
 

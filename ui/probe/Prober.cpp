@@ -1,11 +1,11 @@
-#include "ui/Prober.h"
+#include "ui/probe/Prober.h"
 
 #include <cmath>
 #include <exception>
 
-#include "analysis/WorstPixel.h"
-#include "ui/SceneView.h"
-#include "ui/SessionController.h"
+#include "analysis/errors/WorstPixel.h"
+#include "ui/picture/SceneView.h"
+#include "ui/session/SessionController.h"
 
 namespace umbra {
 namespace {

@@ -4,9 +4,9 @@
 #include <QObject>
 #include <optional>
 
-#include "ui/HeldPoint.h"
-#include "ui/ProbeReport.h"
-#include "ui/ProbeTaker.h"
+#include "ui/picture/ProbeReport.h"
+#include "ui/probe/HeldPoint.h"
+#include "ui/probe/ProbeTaker.h"
 
 namespace umbra {
 

@@ -1,14 +1,14 @@
-#include "ui/RayTracedTruth.h"
+#include "ui/probe/RayTracedTruth.h"
 
 #include <QMetaObject>
 #include <algorithm>
 #include <exception>
 #include <utility>
 
-#include "analysis/RayTracedVisibility.h"
-#include "ui/Prober.h"
-#include "ui/SceneView.h"
-#include "ui/SessionController.h"
+#include "analysis/rays/RayTracedVisibility.h"
+#include "ui/picture/SceneView.h"
+#include "ui/probe/Prober.h"
+#include "ui/session/SessionController.h"
 
 namespace umbra {
 namespace {

@@ -7,9 +7,9 @@
 #include <thread>
 #include <vector>
 
-#include "filters/core/Cascades.h"
-#include "filters/core/Region.h"
-#include "filters/core/Scene.h"
+#include "filters/core/maps/Cascades.h"
+#include "filters/core/maps/Region.h"
+#include "filters/core/scene/Scene.h"
 
 namespace umbra {
 

@@ -1,4 +1,4 @@
-#include "ui/ReductionTools.h"
+#include "ui/probe/ReductionTools.h"
 
 #include <QLabel>
 #include <QPushButton>
@@ -7,10 +7,10 @@
 #include <cmath>
 #include <exception>
 
-#include "ui/Prober.h"
-#include "ui/SceneView.h"
-#include "ui/SessionController.h"
-#include "ui/widgets/Style.h"
+#include "ui/picture/SceneView.h"
+#include "ui/probe/Prober.h"
+#include "ui/session/SessionController.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "analysis/BleedReduction.h"
+#include "analysis/errors/BleedReduction.h"
 
 class QLabel;
 class QPushButton;

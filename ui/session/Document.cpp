@@ -1,8 +1,8 @@
-#include "ui/Document.h"
+#include "ui/session/Document.h"
 
 #include <filesystem>
 
-#include "datasets/SceneCatalogue.h"
+#include "datasets/scenes/SceneCatalogue.h"
 
 namespace umbra {
 

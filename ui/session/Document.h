@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "datasets/LoadSource.h"
-#include "datasets/Session.h"
+#include "datasets/session/LoadSource.h"
+#include "datasets/session/Session.h"
 
 namespace umbra {
 

@@ -1,12 +1,12 @@
-#include "ui/SessionController.h"
+#include "ui/session/SessionController.h"
 
 #include <QUndoCommand>
 #include <exception>
 #include <utility>
 
-#include "filters/core/Composition.h"
-#include "ui/SourceLoader.h"
-#include "ui/widgets/Style.h"
+#include "filters/core/technique/Composition.h"
+#include "ui/session/SourceLoader.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 

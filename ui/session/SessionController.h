@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/Document.h"
+#include "ui/session/Document.h"
 
 namespace umbra {
 

@@ -1,4 +1,4 @@
-#include "ui/SourceLoader.h"
+#include "ui/session/SourceLoader.h"
 
 #include <QMetaObject>
 #include <exception>

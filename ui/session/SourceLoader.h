@@ -5,7 +5,7 @@
 #include <map>
 #include <thread>
 
-#include "ui/Document.h"
+#include "ui/session/Document.h"
 
 namespace umbra {
 

@@ -1,4 +1,4 @@
-#include "ui/CentrePane.h"
+#include "ui/window/CentrePane.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -8,16 +8,17 @@
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "ui/ComparisonPanes.h"
-#include "ui/MessageBanner.h"
-#include "ui/PaneHeader.h"
-#include "ui/Prober.h"
-#include "ui/SceneView.h"
-#include "ui/SessionController.h"
-#include "ui/widgets/Card.h"
-#include "ui/widgets/ColourBar.h"
-#include "ui/widgets/ShadowMapView.h"
-#include "ui/widgets/Style.h"
+#include "ui/panes/ComparisonPanes.h"
+#include "ui/panes/PaneHeader.h"
+#include "ui/picture/SceneView.h"
+#include "ui/probe/Prober.h"
+#include "ui/session/SessionController.h"
+#include "ui/widgets/base/Card.h"
+#include "ui/widgets/base/Style.h"
+#include "ui/widgets/base/TechniqueTitle.h"
+#include "ui/widgets/maps/ColourBar.h"
+#include "ui/widgets/maps/ShadowMapView.h"
+#include "ui/window/MessageBanner.h"
 
 namespace umbra {
 namespace {

@@ -1,19 +1,19 @@
-#include "ui/ControlPane.h"
+#include "ui/window/ControlPane.h"
 
 #include <QLabel>
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "datasets/PaneEditing.h"
-#include "filters/core/Composition.h"
-#include "ui/Prober.h"
-#include "ui/ReductionTools.h"
-#include "ui/SceneView.h"
-#include "ui/SessionController.h"
-#include "ui/widgets/FrameSettingsForm.h"
-#include "ui/widgets/ParameterForm.h"
-#include "ui/widgets/Style.h"
-#include "ui/widgets/TechniqueList.h"
+#include "datasets/session/PaneEditing.h"
+#include "filters/core/technique/Composition.h"
+#include "ui/picture/SceneView.h"
+#include "ui/probe/Prober.h"
+#include "ui/probe/ReductionTools.h"
+#include "ui/session/SessionController.h"
+#include "ui/widgets/base/Style.h"
+#include "ui/widgets/forms/FrameSettingsForm.h"
+#include "ui/widgets/forms/ParameterForm.h"
+#include "ui/widgets/forms/TechniqueList.h"
 
 namespace umbra {
 ControlPane::ControlPane(SessionController& controller, Prober& prober, SceneView& view,

@@ -4,7 +4,7 @@
 #include <QScrollArea>
 #include <QString>
 
-#include "filters/core/Parameters.h"
+#include "filters/core/support/Parameters.h"
 
 class QLabel;
 

@@ -1,8 +1,8 @@
-#include "ui/DockGrip.h"
+#include "ui/window/DockGrip.h"
 
 #include <QPainter>
 
-#include "ui/widgets/Style.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 

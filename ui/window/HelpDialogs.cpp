@@ -1,4 +1,4 @@
-#include "ui/HelpDialogs.h"
+#include "ui/window/HelpDialogs.h"
 
 #include <QDialog>
 #include <QDialogButtonBox>
@@ -8,8 +8,8 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
-#include "filters/core/TechniquePage.h"
-#include "ui/widgets/Style.h"
+#include "filters/core/technique/TechniquePage.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 namespace {

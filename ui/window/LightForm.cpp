@@ -1,4 +1,4 @@
-#include "ui/LightForm.h"
+#include "ui/window/LightForm.h"
 
 #include <QComboBox>
 #include <QFormLayout>
@@ -9,8 +9,8 @@
 #include <QSlider>
 #include <cmath>
 
-#include "ui/SessionController.h"
-#include "ui/widgets/Style.h"
+#include "ui/session/SessionController.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/MainWindow.h"
+#include "ui/window/MainWindow.h"
 
 #include <QActionGroup>
 #include <QCloseEvent>
@@ -8,21 +8,21 @@
 #include <QToolButton>
 #include <exception>
 
-#include "ui/CentrePane.h"
-#include "ui/ComparisonPanes.h"
-#include "ui/ControlPane.h"
-#include "ui/EvidencePanes.h"
-#include "ui/FrameFigures.h"
-#include "ui/KeptProbes.h"
-#include "ui/KeptProbesPane.h"
-#include "ui/LessonController.h"
-#include "ui/MessageBanner.h"
-#include "ui/ProbeMarks.h"
-#include "ui/Prober.h"
-#include "ui/ReductionTools.h"
-#include "ui/SceneForm.h"
-#include "ui/SceneView.h"
-#include "ui/widgets/Style.h"
+#include "ui/lessons/LessonController.h"
+#include "ui/panes/ComparisonPanes.h"
+#include "ui/picture/FrameFigures.h"
+#include "ui/picture/ProbeMarks.h"
+#include "ui/picture/SceneView.h"
+#include "ui/probe/EvidencePanes.h"
+#include "ui/probe/KeptProbes.h"
+#include "ui/probe/KeptProbesPane.h"
+#include "ui/probe/Prober.h"
+#include "ui/probe/ReductionTools.h"
+#include "ui/widgets/base/Style.h"
+#include "ui/window/CentrePane.h"
+#include "ui/window/ControlPane.h"
+#include "ui/window/MessageBanner.h"
+#include "ui/window/SceneForm.h"
 
 namespace umbra {
 
@@ -57,7 +57,7 @@ MainWindow::MainWindow(const Session& session, QWidget* parent)
   }
   connectParts();
   view_->showDocument(controller_.document(), controller_.technique());
-  view_->setMarks(marksOf(*kept_));
+  view_->setMarks(kept_->marks());
   refresh();
   showNotices();
   // No frame calls for the probe of a depth file; its panes have their sizes once this returned.
@@ -95,7 +95,7 @@ void MainWindow::connectParts() {
   connect(evidence_, &EvidencePanes::failed, this, &MainWindow::showError);
   connect(evidence_, &EvidencePanes::message, statusBar(),
           [this](const QString& text) { statusBar()->showMessage(text, 6000); });
-  connect(kept_, &KeptProbes::changed, this, [this] { view_->setMarks(marksOf(*kept_)); });
+  connect(kept_, &KeptProbes::changed, this, [this] { view_->setMarks(kept_->marks()); });
   connect(kept_, &KeptProbes::message, statusBar(),
           [this](const QString& text) { statusBar()->showMessage(text, 6000); });
   connect(view_, &SceneView::frameDrawn, this, &MainWindow::afterFrame);

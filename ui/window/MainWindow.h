@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/SessionController.h"
+#include "ui/session/SessionController.h"
 
 class QActionGroup;
 class QDockWidget;

@@ -3,10 +3,10 @@
 #include <QMenu>
 #include <algorithm>
 
-#include "datasets/PaneEditing.h"
-#include "ui/CentrePane.h"
-#include "ui/ComparisonPanes.h"
-#include "ui/MainWindow.h"
+#include "datasets/session/PaneEditing.h"
+#include "ui/panes/ComparisonPanes.h"
+#include "ui/window/CentrePane.h"
+#include "ui/window/MainWindow.h"
 
 namespace umbra {
 namespace {

@@ -5,21 +5,21 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
-#include "ui/ControlPane.h"
-#include "ui/DockGrip.h"
-#include "ui/ErrorController.h"
-#include "ui/ErrorPane.h"
-#include "ui/EvidencePanes.h"
-#include "ui/ExplainPane.h"
-#include "ui/KeptProbesPane.h"
-#include "ui/LayersController.h"
-#include "ui/LayersPane.h"
-#include "ui/MainWindow.h"
-#include "ui/widgets/PlotPane.h"
-#include "ui/widgets/ProbeTable.h"
-#include "ui/widgets/RegionTable.h"
-#include "ui/widgets/ShadowMapView.h"
-#include "ui/widgets/TracePane.h"
+#include "ui/errors/ErrorController.h"
+#include "ui/errors/ErrorPane.h"
+#include "ui/layers/LayersController.h"
+#include "ui/layers/LayersPane.h"
+#include "ui/probe/EvidencePanes.h"
+#include "ui/probe/ExplainPane.h"
+#include "ui/probe/KeptProbesPane.h"
+#include "ui/widgets/maps/ShadowMapView.h"
+#include "ui/widgets/plots/PlotPane.h"
+#include "ui/widgets/tables/ProbeTable.h"
+#include "ui/widgets/tables/RegionTable.h"
+#include "ui/widgets/tables/TracePane.h"
+#include "ui/window/ControlPane.h"
+#include "ui/window/DockGrip.h"
+#include "ui/window/MainWindow.h"
 
 namespace umbra {
 namespace {

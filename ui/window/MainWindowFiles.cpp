@@ -6,19 +6,19 @@
 #include <algorithm>
 #include <exception>
 
-#include "datasets/DepthFile.h"
-#include "datasets/LessonFile.h"
-#include "datasets/SessionFile.h"
-#include "filters/core/AtomicFile.h"
-#include "filters/core/Error.h"
-#include "ui/CentrePane.h"
-#include "ui/ComparisonPanes.h"
-#include "ui/EvidencePanes.h"
-#include "ui/KeptProbesPane.h"
-#include "ui/MainWindow.h"
-#include "ui/Prober.h"
-#include "ui/SceneView.h"
-#include "ui/widgets/ProbeTable.h"
+#include "datasets/lessons/LessonFile.h"
+#include "datasets/maps/DepthFile.h"
+#include "datasets/session/file/SessionFile.h"
+#include "filters/core/support/AtomicFile.h"
+#include "filters/core/support/Error.h"
+#include "ui/panes/ComparisonPanes.h"
+#include "ui/picture/SceneView.h"
+#include "ui/probe/EvidencePanes.h"
+#include "ui/probe/KeptProbesPane.h"
+#include "ui/probe/Prober.h"
+#include "ui/widgets/tables/ProbeTable.h"
+#include "ui/window/CentrePane.h"
+#include "ui/window/MainWindow.h"
 
 namespace umbra {
 

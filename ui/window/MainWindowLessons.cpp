@@ -4,12 +4,12 @@
 #include <QMenu>
 #include <QMenuBar>
 
-#include "datasets/LessonCatalogue.h"
-#include "ui/LessonController.h"
-#include "ui/LessonPane.h"
-#include "ui/MainWindow.h"
-#include "ui/Prober.h"
-#include "ui/widgets/Style.h"
+#include "datasets/lessons/LessonCatalogue.h"
+#include "ui/lessons/LessonController.h"
+#include "ui/lessons/LessonPane.h"
+#include "ui/probe/Prober.h"
+#include "ui/widgets/base/Style.h"
+#include "ui/window/MainWindow.h"
 
 namespace umbra {
 

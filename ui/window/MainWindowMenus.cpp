@@ -9,18 +9,18 @@
 #include <QToolButton>
 #include <QWidgetAction>
 
-#include "datasets/SceneCatalogue.h"
-#include "ui/EvidencePanes.h"
-#include "ui/HelpDialogs.h"
-#include "ui/KeptProbes.h"
-#include "ui/LightForm.h"
-#include "ui/MainWindow.h"
-#include "ui/Prober.h"
-#include "ui/SceneForm.h"
-#include "ui/widgets/PlotPane.h"
-#include "ui/widgets/ProbeTable.h"
-#include "ui/widgets/Style.h"
-#include "ui/widgets/TechniqueList.h"
+#include "datasets/scenes/SceneCatalogue.h"
+#include "ui/probe/EvidencePanes.h"
+#include "ui/probe/KeptProbes.h"
+#include "ui/probe/Prober.h"
+#include "ui/widgets/base/Style.h"
+#include "ui/widgets/forms/TechniqueList.h"
+#include "ui/widgets/plots/PlotPane.h"
+#include "ui/widgets/tables/ProbeTable.h"
+#include "ui/window/HelpDialogs.h"
+#include "ui/window/LightForm.h"
+#include "ui/window/MainWindow.h"
+#include "ui/window/SceneForm.h"
 
 namespace umbra {
 namespace {

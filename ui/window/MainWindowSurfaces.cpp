@@ -2,14 +2,14 @@
 #include <QProgressDialog>
 #include <QStatusBar>
 
-#include "filters/core/Error.h"
-#include "ui/CentrePane.h"
-#include "ui/MainWindow.h"
-#include "ui/MessageBanner.h"
-#include "ui/Prober.h"
-#include "ui/SceneView.h"
-#include "ui/SurfaceExport.h"
-#include "ui/widgets/Style.h"
+#include "filters/core/support/Error.h"
+#include "ui/errors/SurfaceExport.h"
+#include "ui/picture/SceneView.h"
+#include "ui/probe/Prober.h"
+#include "ui/widgets/base/Style.h"
+#include "ui/window/CentrePane.h"
+#include "ui/window/MainWindow.h"
+#include "ui/window/MessageBanner.h"
 
 namespace umbra {
 namespace {

@@ -1,10 +1,10 @@
-#include "ui/MessageBanner.h"
+#include "ui/window/MessageBanner.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
 
-#include "ui/widgets/Style.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 

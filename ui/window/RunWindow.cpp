@@ -1,14 +1,14 @@
-#include "ui/RunWindow.h"
+#include "ui/window/RunWindow.h"
 
 #include <QApplication>
 #include <QOpenGLContext>
 #include <memory>
 #include <string>
 
-#include "filters/core/Error.h"
-#include "ui/MainWindow.h"
-#include "ui/WindowMemory.h"
-#include "ui/WindowStyle.h"
+#include "filters/core/support/Error.h"
+#include "ui/window/MainWindow.h"
+#include "ui/window/WindowMemory.h"
+#include "ui/window/WindowStyle.h"
 
 namespace umbra {
 namespace {

@@ -1,7 +1,7 @@
 // The window, from start to close.
 #pragma once
 
-#include "datasets/Session.h"
+#include "datasets/session/Session.h"
 
 namespace umbra {
 

@@ -1,4 +1,4 @@
-#include "ui/SceneForm.h"
+#include "ui/window/SceneForm.h"
 
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -6,8 +6,8 @@
 #include <QSlider>
 #include <cmath>
 
-#include "ui/SessionController.h"
-#include "ui/widgets/Style.h"
+#include "ui/session/SessionController.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 namespace {

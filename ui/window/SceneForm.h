@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "datasets/SceneCatalogue.h"
+#include "datasets/scenes/SceneCatalogue.h"
 
 class QFormLayout;
 class QSlider;

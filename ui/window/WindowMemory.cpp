@@ -1,4 +1,4 @@
-#include "ui/WindowMemory.h"
+#include "ui/window/WindowMemory.h"
 
 #include <QFileInfo>
 #include <QGuiApplication>
@@ -8,8 +8,8 @@
 #include <exception>
 #include <filesystem>
 
-#include "datasets/SessionFile.h"
-#include "ui/MainWindow.h"
+#include "datasets/session/file/SessionFile.h"
+#include "ui/window/MainWindow.h"
 
 namespace umbra {
 

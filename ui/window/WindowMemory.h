@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "datasets/Session.h"
+#include "datasets/session/Session.h"
 
 namespace umbra {
 

@@ -1,4 +1,4 @@
-#include "ui/WindowStyle.h"
+#include "ui/window/WindowStyle.h"
 
 #include <QVTKOpenGLNativeWidget.h>
 #include <QApplication>
@@ -6,7 +6,7 @@
 #include <QStyleFactory>
 #include <QSurfaceFormat>
 
-#include "ui/widgets/Style.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 namespace {

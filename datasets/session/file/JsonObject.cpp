@@ -1,10 +1,11 @@
-#include "datasets/JsonObject.h"
+#include "datasets/session/file/JsonObject.h"
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
-#include "filters/core/Error.h"
-#include "filters/core/Text.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 

@@ -1,11 +1,12 @@
-#include "datasets/JsonText.h"
+#include "datasets/session/file/JsonText.h"
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 #include <vector>
 
-#include "filters/core/Error.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 

@@ -1,15 +1,16 @@
-#include "datasets/SessionFile.h"
+#include "datasets/session/file/SessionFile.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
-#include "datasets/JsonObject.h"
-#include "datasets/JsonText.h"
-#include "datasets/SessionFileCompare.h"
-#include "datasets/SessionFileFrame.h"
-#include "datasets/SessionFileParameters.h"
-#include "datasets/SessionFileProbes.h"
-#include "filters/core/AtomicFile.h"
-#include "filters/core/Error.h"
+#include "datasets/session/file/JsonObject.h"
+#include "datasets/session/file/JsonText.h"
+#include "datasets/session/file/SessionFileCompare.h"
+#include "datasets/session/file/SessionFileFrame.h"
+#include "datasets/session/file/SessionFileParameters.h"
+#include "datasets/session/file/SessionFileProbes.h"
+#include "filters/core/support/AtomicFile.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 

@@ -32,12 +32,12 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 
-#include "datasets/Session.h"
-#include "datasets/SessionFileParameters.h"
+#include "datasets/session/Session.h"
+#include "datasets/session/file/SessionFileParameters.h"
 
 namespace umbra {
 

@@ -5,9 +5,9 @@
 
 #include <string>
 
-#include "datasets/PaneEditing.h"
-#include "datasets/SessionFile.h"
-#include "filters/core/Error.h"
+#include "datasets/session/PaneEditing.h"
+#include "datasets/session/file/SessionFile.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 

@@ -1,12 +1,13 @@
-#include "datasets/SessionFileCompare.h"
+#include "datasets/session/file/SessionFileCompare.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "datasets/SessionFileFrame.h"
-#include "datasets/SessionFileParameters.h"
-#include "filters/core/Error.h"
+#include "datasets/session/file/SessionFileFrame.h"
+#include "datasets/session/file/SessionFileParameters.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 

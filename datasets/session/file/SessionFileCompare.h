@@ -1,10 +1,10 @@
 // The part of a session's file that says what is compared: see SessionFile.h.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
-#include "datasets/JsonObject.h"
-#include "datasets/Session.h"
+#include "datasets/session/Session.h"
+#include "datasets/session/file/JsonObject.h"
 
 namespace umbra {
 

@@ -1,6 +1,6 @@
-#include "datasets/SessionFileCompare.h"
+#include "datasets/session/file/SessionFileCompare.h"
 
-#include "datasets/SessionFileCheck.h"
+#include "datasets/session/file/SessionFileCheck.h"
 
 namespace umbra {
 namespace {

@@ -1,11 +1,12 @@
-#include "datasets/SessionFileFrame.h"
+#include "datasets/session/file/SessionFileFrame.h"
 
 #include <bit>
+#include <nlohmann/json.hpp>
 #include <string>
 
-#include "filters/core/Error.h"
-#include "filters/core/Parameters.h"
-#include "filters/core/Text.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/support/Parameters.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 

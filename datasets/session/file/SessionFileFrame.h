@@ -1,12 +1,12 @@
 // The parts of a session's file that say how a frame is drawn: see SessionFile.h.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string_view>
 
-#include "datasets/JsonObject.h"
-#include "filters/core/Camera.h"
-#include "filters/core/FrameSettings.h"
+#include "datasets/session/file/JsonObject.h"
+#include "filters/core/scene/Camera.h"
+#include "filters/core/settings/FrameSettings.h"
 
 namespace umbra {
 

@@ -1,8 +1,9 @@
-#include "datasets/SessionFileParameters.h"
+#include "datasets/session/file/SessionFileParameters.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
-#include "filters/core/Error.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 

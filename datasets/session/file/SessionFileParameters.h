@@ -1,11 +1,11 @@
 // The parts of a session's file that say how techniques are set: see SessionFile.h.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "datasets/JsonObject.h"
-#include "datasets/Session.h"
+#include "datasets/session/Session.h"
+#include "datasets/session/file/JsonObject.h"
 
 namespace umbra {
 

@@ -1,10 +1,11 @@
-#include "datasets/SessionFileProbes.h"
+#include "datasets/session/file/SessionFileProbes.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
-#include "datasets/SessionFileFrame.h"
-#include "filters/core/Error.h"
-#include "filters/core/Text.h"
+#include "datasets/session/file/SessionFileFrame.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 

@@ -1,11 +1,11 @@
 // The part of a session's file that holds the probes that are kept: see SessionFile.h.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "datasets/JsonObject.h"
-#include "datasets/Session.h"
+#include "datasets/session/Session.h"
+#include "datasets/session/file/JsonObject.h"
 
 namespace umbra {
 

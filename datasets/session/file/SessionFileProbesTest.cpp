@@ -1,6 +1,6 @@
-#include "datasets/SessionFileProbes.h"
+#include "datasets/session/file/SessionFileProbes.h"
 
-#include "datasets/SessionFileCheck.h"
+#include "datasets/session/file/SessionFileCheck.h"
 
 namespace umbra {
 namespace {

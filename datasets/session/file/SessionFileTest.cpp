@@ -1,4 +1,4 @@
-#include "datasets/SessionFile.h"
+#include "datasets/session/file/SessionFile.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "datasets/SessionFileCheck.h"
+#include "datasets/session/file/SessionFileCheck.h"
 
 namespace umbra {
 namespace {

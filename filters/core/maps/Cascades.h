@@ -6,8 +6,8 @@
 #include <array>
 #include <vector>
 
-#include "filters/core/FrameSettings.h"
-#include "filters/core/Light.h"
+#include "filters/core/scene/Light.h"
+#include "filters/core/settings/FrameSettings.h"
 
 namespace umbra {
 

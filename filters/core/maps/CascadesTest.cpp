@@ -1,4 +1,4 @@
-#include "filters/core/Cascades.h"
+#include "filters/core/maps/Cascades.h"
 
 #include <gtest/gtest.h>
 

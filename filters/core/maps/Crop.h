@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "filters/core/Image.h"
+#include "filters/core/maps/Image.h"
 
 namespace umbra {
 

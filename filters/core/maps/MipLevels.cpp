@@ -1,4 +1,4 @@
-#include "filters/core/MipLevels.h"
+#include "filters/core/maps/MipLevels.h"
 
 #include <algorithm>
 #include <bit>

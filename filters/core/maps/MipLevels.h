@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "filters/core/Region.h"
+#include "filters/core/maps/Region.h"
 
 namespace umbra {
 

@@ -1,4 +1,4 @@
-#include "filters/core/ReceiverBias.h"
+#include "filters/core/maps/ReceiverBias.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 
 #include <Eigen/Core>
 
-#include "filters/core/FrameSettings.h"
-#include "filters/core/Light.h"
+#include "filters/core/scene/Light.h"
+#include "filters/core/settings/FrameSettings.h"
 
 namespace umbra {
 

@@ -1,12 +1,12 @@
-#include "filters/core/Region.h"
+#include "filters/core/maps/Region.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 
-#include "filters/core/Error.h"
-#include "filters/core/MipLevels.h"
+#include "filters/core/maps/MipLevels.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "filters/core/FrameSettings.h"
-#include "filters/core/Image.h"
-#include "filters/core/Kernel.h"
+#include "filters/core/maps/Image.h"
+#include "filters/core/settings/FrameSettings.h"
+#include "filters/core/settings/Kernel.h"
 
 namespace umbra {
 

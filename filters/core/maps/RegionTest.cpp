@@ -1,4 +1,4 @@
-#include "filters/core/Region.h"
+#include "filters/core/maps/Region.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <map>
 #include <random>
 
-#include "filters/core/Error.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

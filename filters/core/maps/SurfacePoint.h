@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "filters/core/Region.h"
+#include "filters/core/maps/Region.h"
 
 namespace umbra {
 

@@ -1,10 +1,10 @@
-#include "filters/core/ErrorShares.h"
+#include "filters/core/prefilter/ErrorShares.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "filters/core/Prefilter.h"
-#include "filters/core/Text.h"
+#include "filters/core/prefilter/Prefilter.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "filters/core/Technique.h"
+#include "filters/core/technique/Technique.h"
 
 namespace umbra {
 

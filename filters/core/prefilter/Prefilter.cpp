@@ -1,10 +1,10 @@
-#include "filters/core/Prefilter.h"
+#include "filters/core/prefilter/Prefilter.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "filters/core/SlidingWindow.h"
+#include "filters/core/maps/SlidingWindow.h"
 
 namespace umbra {
 namespace {

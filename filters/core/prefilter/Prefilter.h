@@ -3,10 +3,10 @@
 
 #include <span>
 
-#include "filters/core/Image.h"
-#include "filters/core/Kernel.h"
-#include "filters/core/Region.h"
-#include "filters/core/Technique.h"
+#include "filters/core/maps/Image.h"
+#include "filters/core/maps/Region.h"
+#include "filters/core/settings/Kernel.h"
+#include "filters/core/technique/Technique.h"
 
 namespace umbra {
 

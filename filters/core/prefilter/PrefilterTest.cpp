@@ -1,4 +1,4 @@
-#include "filters/core/Prefilter.h"
+#include "filters/core/prefilter/Prefilter.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "filters/core/TechniqueCatalogue.h"
+#include "filters/core/technique/TechniqueCatalogue.h"
 
 namespace umbra {
 namespace {

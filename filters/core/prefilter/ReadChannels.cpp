@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "filters/core/Crop.h"
-#include "filters/core/Error.h"
-#include "filters/core/MipLevels.h"
-#include "filters/core/Prefilter.h"
+#include "filters/core/maps/Crop.h"
+#include "filters/core/maps/MipLevels.h"
+#include "filters/core/prefilter/Prefilter.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

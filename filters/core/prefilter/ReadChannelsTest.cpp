@@ -5,10 +5,10 @@
 #include <cmath>
 #include <random>
 
-#include "filters/core/Error.h"
-#include "filters/core/MipLevels.h"
-#include "filters/core/Prefilter.h"
-#include "filters/core/TechniqueCatalogue.h"
+#include "filters/core/maps/MipLevels.h"
+#include "filters/core/prefilter/Prefilter.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/technique/TechniqueCatalogue.h"
 
 namespace umbra {
 namespace {

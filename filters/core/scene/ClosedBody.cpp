@@ -1,4 +1,4 @@
-#include "filters/core/ClosedBody.h"
+#include "filters/core/scene/ClosedBody.h"
 
 #include <algorithm>
 #include <cstdint>

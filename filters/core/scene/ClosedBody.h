@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "filters/core/Scene.h"
+#include "filters/core/scene/Scene.h"
 
 namespace umbra {
 

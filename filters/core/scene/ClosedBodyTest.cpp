@@ -1,5 +1,5 @@
 // Which meshes may be drawn without their back faces.
-#include "filters/core/ClosedBody.h"
+#include "filters/core/scene/ClosedBody.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
-#include "filters/core/Light.h"
+#include "filters/core/scene/Light.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
 
-#include "filters/core/Error.h"
-#include "filters/core/Parameters.h"
-#include "filters/core/Text.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/support/Parameters.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {

@@ -1,4 +1,4 @@
-#include "filters/core/Light.h"
+#include "filters/core/scene/Light.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <random>
 #include <string>
 
-#include "filters/core/Error.h"
-#include "filters/core/Scene.h"
+#include "filters/core/scene/Scene.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

@@ -1,6 +1,6 @@
-#include "filters/core/Scene.h"
+#include "filters/core/scene/Scene.h"
 
-#include "filters/core/Error.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "filters/core/Camera.h"
-#include "filters/core/Light.h"
+#include "filters/core/scene/Camera.h"
+#include "filters/core/scene/Light.h"
 
 namespace umbra {
 

@@ -1,12 +1,12 @@
-#include "filters/core/FrameSettings.h"
+#include "filters/core/settings/FrameSettings.h"
 
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "filters/core/Error.h"
-#include "filters/core/Text.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string_view>
 
-#include "filters/core/Camera.h"
-#include "filters/core/Kernel.h"
-#include "filters/core/StorageFormat.h"
+#include "filters/core/scene/Camera.h"
+#include "filters/core/settings/Kernel.h"
+#include "filters/core/settings/StorageFormat.h"
 
 namespace umbra {
 

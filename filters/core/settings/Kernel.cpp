@@ -1,10 +1,10 @@
-#include "filters/core/Kernel.h"
+#include "filters/core/settings/Kernel.h"
 
 #include <cmath>
 #include <numeric>
 
-#include "filters/core/Error.h"
-#include "filters/core/Text.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 

@@ -1,11 +1,11 @@
-#include "filters/core/Kernel.h"
+#include "filters/core/settings/Kernel.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numeric>
 
-#include "filters/core/Error.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

@@ -1,11 +1,11 @@
-#include "filters/core/StorageFormat.h"
+#include "filters/core/settings/StorageFormat.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 
-#include "filters/core/Error.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

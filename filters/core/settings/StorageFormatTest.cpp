@@ -1,4 +1,4 @@
-#include "filters/core/StorageFormat.h"
+#include "filters/core/settings/StorageFormat.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "filters/core/Error.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

@@ -1,4 +1,4 @@
-#include "filters/core/AtomicFile.h"
+#include "filters/core/support/AtomicFile.h"
 
 #include <unistd.h>
 
@@ -6,7 +6,7 @@
 #include <string>
 #include <system_error>
 
-#include "filters/core/Error.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 

@@ -1,11 +1,11 @@
-#include "filters/core/AtomicFile.h"
+#include "filters/core/support/AtomicFile.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <iterator>
 
-#include "filters/core/Error.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

@@ -1,10 +1,10 @@
-#include "filters/core/Parameters.h"
+#include "filters/core/support/Parameters.h"
 
 #include <charconv>
 #include <cmath>
 
-#include "filters/core/Error.h"
-#include "filters/core/Text.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {

@@ -1,11 +1,11 @@
-#include "filters/core/Parameters.h"
+#include "filters/core/support/Parameters.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 
-#include "filters/core/Error.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {

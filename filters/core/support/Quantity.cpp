@@ -1,10 +1,10 @@
-#include "filters/core/Quantity.h"
+#include "filters/core/support/Quantity.h"
 
 #include <string>
 #include <vector>
 
-#include "filters/core/Error.h"
-#include "filters/core/Text.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {

@@ -1,4 +1,4 @@
-#include "filters/core/Text.h"
+#include "filters/core/support/Text.h"
 
 #include <algorithm>
 #include <cstdio>

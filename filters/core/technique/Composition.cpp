@@ -1,4 +1,4 @@
-#include "filters/core/Composition.h"
+#include "filters/core/technique/Composition.h"
 
 #include <algorithm>
 

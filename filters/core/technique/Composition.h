@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "filters/core/FrameSettings.h"
-#include "filters/core/Technique.h"
+#include "filters/core/settings/FrameSettings.h"
+#include "filters/core/technique/Technique.h"
 
 namespace umbra {
 

@@ -1,10 +1,10 @@
-#include "filters/core/Lloyd.h"
+#include "filters/core/technique/Lloyd.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "filters/core/SortedSamples.h"
+#include "filters/core/technique/SortedSamples.h"
 
 namespace umbra {
 namespace {

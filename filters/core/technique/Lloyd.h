@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "filters/core/Image.h"
+#include "filters/core/maps/Image.h"
 
 namespace umbra {
 

@@ -1,4 +1,4 @@
-#include "filters/core/Lloyd.h"
+#include "filters/core/technique/Lloyd.h"
 
 #include <gtest/gtest.h>
 

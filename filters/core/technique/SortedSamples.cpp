@@ -1,4 +1,4 @@
-#include "filters/core/SortedSamples.h"
+#include "filters/core/technique/SortedSamples.h"
 
 #include <algorithm>
 #include <utility>

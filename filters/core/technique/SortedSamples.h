@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "filters/core/Lloyd.h"
+#include "filters/core/technique/Lloyd.h"
 
 namespace umbra {
 

@@ -9,11 +9,11 @@
 #include <variant>
 #include <vector>
 
-#include "filters/core/Image.h"
-#include "filters/core/Parameters.h"
-#include "filters/core/Region.h"
-#include "filters/core/StorageFormat.h"
-#include "filters/core/Trace.h"
+#include "filters/core/maps/Image.h"
+#include "filters/core/maps/Region.h"
+#include "filters/core/settings/StorageFormat.h"
+#include "filters/core/support/Parameters.h"
+#include "filters/core/technique/Trace.h"
 
 namespace umbra {
 

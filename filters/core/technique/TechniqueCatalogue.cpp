@@ -1,10 +1,10 @@
-#include "filters/core/TechniqueCatalogue.h"
+#include "filters/core/technique/TechniqueCatalogue.h"
 
 #include <algorithm>
 #include <tuple>
 
-#include "filters/core/Error.h"
-#include "filters/core/Text.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 

@@ -1,4 +1,4 @@
-#include "filters/core/TechniqueEquality.h"
+#include "filters/core/technique/TechniqueEquality.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // Whether two instances of techniques are one and the same, as they were set.
 #pragma once
 
-#include "filters/core/Technique.h"
+#include "filters/core/technique/Technique.h"
 
 namespace umbra {
 

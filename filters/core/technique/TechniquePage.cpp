@@ -1,9 +1,9 @@
-#include "filters/core/TechniquePage.h"
+#include "filters/core/technique/TechniquePage.h"
 
 #include <algorithm>
 #include <vector>
 
-#include "filters/core/Text.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {

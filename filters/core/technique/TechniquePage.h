@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "filters/core/Technique.h"
+#include "filters/core/technique/Technique.h"
 
 namespace umbra {
 

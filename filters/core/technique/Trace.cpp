@@ -1,4 +1,4 @@
-#include "filters/core/Trace.h"
+#include "filters/core/technique/Trace.h"
 
 namespace umbra {
 

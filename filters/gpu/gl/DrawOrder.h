@@ -1,9 +1,9 @@
 // What Mesa's software renderer does not keep in order.
 #pragma once
 
-#include <vtk_glew.h>
-
 #include <string_view>
+
+#include "filters/gpu/gl/OpenGL.h"
 
 namespace umbra::gl {
 

@@ -1,9 +1,9 @@
 // Owners of raw OpenGL objects. Their context must be current when they are made and freed.
 #pragma once
 
-#include <vtk_glew.h>
-
 #include <utility>
+
+#include "filters/gpu/gl/OpenGL.h"
 
 namespace umbra::gl {
 

@@ -1,6 +1,6 @@
 #include "filters/gpu/gl/Program.h"
 
-#include "filters/core/Error.h"
+#include "filters/core/support/Error.h"
 
 namespace umbra::gl {
 namespace {

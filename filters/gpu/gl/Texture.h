@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "filters/core/Image.h"
+#include "filters/core/maps/Image.h"
 #include "filters/gpu/gl/Handle.h"
 
 namespace umbra::gl {

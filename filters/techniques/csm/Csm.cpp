@@ -5,7 +5,7 @@
 
 #include "Csm_glsl.h"
 #include "Csm_md.h"
-#include "filters/core/TechniqueCatalogue.h"
+#include "filters/core/technique/TechniqueCatalogue.h"
 #include "filters/techniques/csm/CsmSum.h"
 
 namespace umbra::csm {

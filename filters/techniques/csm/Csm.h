@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "filters/core/Technique.h"
+#include "filters/core/technique/Technique.h"
 #include "filters/techniques/csm/FourierSeries.h"
 
 namespace umbra::csm {

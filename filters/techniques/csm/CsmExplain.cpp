@@ -1,6 +1,6 @@
 // Which part of a truncated Fourier series makes its visibility wrong.
-#include "filters/core/ErrorShares.h"
-#include "filters/core/Text.h"
+#include "filters/core/prefilter/ErrorShares.h"
+#include "filters/core/support/Text.h"
 #include "filters/techniques/csm/CsmSum.h"
 
 namespace umbra::csm {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "filters/core/Prefilter.h"
+#include "filters/core/prefilter/Prefilter.h"
 
 namespace umbra {
 namespace {

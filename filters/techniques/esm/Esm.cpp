@@ -5,8 +5,8 @@
 
 #include "Esm_glsl.h"
 #include "Esm_md.h"
-#include "filters/core/ErrorShares.h"
-#include "filters/core/TechniqueCatalogue.h"
+#include "filters/core/prefilter/ErrorShares.h"
+#include "filters/core/technique/TechniqueCatalogue.h"
 #include "filters/techniques/evsm/ExponentLimit.h"
 #include "filters/techniques/vsm/Chebyshev.h"
 

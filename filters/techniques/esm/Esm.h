@@ -1,7 +1,7 @@
 // Exponential shadow maps (Salvi 2007; Annen et al. 2008), with the warp centred on mid-depth.
 #pragma once
 
-#include "filters/core/Technique.h"
+#include "filters/core/technique/Technique.h"
 #include "filters/techniques/evsm/ExponentLimit.h"
 
 namespace umbra::esm {

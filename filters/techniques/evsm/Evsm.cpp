@@ -2,7 +2,7 @@
 
 #include "Evsm_glsl.h"
 #include "Evsm_md.h"
-#include "filters/core/TechniqueCatalogue.h"
+#include "filters/core/technique/TechniqueCatalogue.h"
 #include "filters/techniques/evsm/ExponentLimit.h"
 #include "filters/techniques/evsm/Warps.h"
 

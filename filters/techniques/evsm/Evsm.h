@@ -2,7 +2,7 @@
 // warped by e^{c₊(z−½)} and, with four moments, also by −e^{−c₋(z−½)}.
 #pragma once
 
-#include "filters/core/Technique.h"
+#include "filters/core/technique/Technique.h"
 #include "filters/techniques/evsm/ExponentLimit.h"
 
 namespace umbra::evsm {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "filters/core/Prefilter.h"
+#include "filters/core/prefilter/Prefilter.h"
 #include "filters/techniques/vsm/Vsm.h"
 
 namespace umbra {

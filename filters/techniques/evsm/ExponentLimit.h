@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "filters/core/StorageFormat.h"
-#include "filters/core/Text.h"
+#include "filters/core/settings/StorageFormat.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 

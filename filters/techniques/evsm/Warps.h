@@ -5,7 +5,7 @@
 #include <cmath>
 #include <span>
 
-#include "filters/core/Technique.h"
+#include "filters/core/technique/Technique.h"
 #include "filters/techniques/vsm/Chebyshev.h"
 
 namespace umbra::evsm {

@@ -1,5 +1,5 @@
 // Which step of an exponentially warped bound goes wrong.
-#include "filters/core/Text.h"
+#include "filters/core/support/Text.h"
 #include "filters/techniques/evsm/ExponentLimit.h"
 #include "filters/techniques/evsm/Warps.h"
 #include "filters/techniques/vsm/VarianceErrors.h"

@@ -2,9 +2,9 @@
 
 #include "Hard_glsl.h"
 #include "Hard_md.h"
-#include "filters/core/ErrorShares.h"
-#include "filters/core/TechniqueCatalogue.h"
-#include "filters/core/Text.h"
+#include "filters/core/prefilter/ErrorShares.h"
+#include "filters/core/support/Text.h"
+#include "filters/core/technique/TechniqueCatalogue.h"
 
 namespace umbra::hard {
 

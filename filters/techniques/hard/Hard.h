@@ -1,7 +1,7 @@
 // The plain shadow map (Williams 1978): one comparison at the nearest texel, no filter.
 #pragma once
 
-#include "filters/core/Technique.h"
+#include "filters/core/technique/Technique.h"
 
 namespace umbra::hard {
 

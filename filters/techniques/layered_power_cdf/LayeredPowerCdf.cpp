@@ -6,7 +6,7 @@
 #include "LayeredPowerCdf_md.h"
 #include "Layers_glsl.h"
 #include "PowerVisibility_glsl.h"
-#include "filters/core/TechniqueCatalogue.h"
+#include "filters/core/technique/TechniqueCatalogue.h"
 #include "filters/techniques/layered_power_cdf/LayeredPowerSum.h"
 
 namespace umbra::layered_power_cdf {

@@ -2,7 +2,7 @@
 // variance shadow maps").
 #pragma once
 
-#include "filters/core/Technique.h"
+#include "filters/core/technique/Technique.h"
 #include "filters/techniques/lvsm/Layers.h"
 
 namespace umbra::layered_power_cdf {

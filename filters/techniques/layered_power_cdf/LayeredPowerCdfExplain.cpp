@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "filters/core/Text.h"
+#include "filters/core/support/Text.h"
 #include "filters/techniques/layered_power_cdf/LayeredPowerCdf.h"
 #include "filters/techniques/layered_power_cdf/LayeredPowerSum.h"
 #include "filters/techniques/power_cdf/PowerErrors.h"

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "filters/core/Error.h"
-#include "filters/core/Lloyd.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/technique/Lloyd.h"
 
 namespace umbra {
 namespace {

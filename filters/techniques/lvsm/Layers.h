@@ -10,9 +10,9 @@
 #include <tuple>
 #include <vector>
 
-#include "filters/core/Image.h"
-#include "filters/core/Parameters.h"
-#include "filters/core/Technique.h"
+#include "filters/core/maps/Image.h"
+#include "filters/core/support/Parameters.h"
+#include "filters/core/technique/Technique.h"
 
 namespace umbra {
 

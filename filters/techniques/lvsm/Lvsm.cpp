@@ -5,7 +5,7 @@
 #include "Layers_glsl.h"
 #include "Lvsm_glsl.h"
 #include "Lvsm_md.h"
-#include "filters/core/TechniqueCatalogue.h"
+#include "filters/core/technique/TechniqueCatalogue.h"
 #include "filters/techniques/lvsm/LvsmSum.h"
 
 namespace umbra::lvsm {

@@ -1,7 +1,7 @@
 // Layered variance shadow maps (Lauritzen & McCool 2008; Lauritzen 2008, §4.1).
 #pragma once
 
-#include "filters/core/Technique.h"
+#include "filters/core/technique/Technique.h"
 #include "filters/techniques/lvsm/Layers.h"
 
 namespace umbra::lvsm {

@@ -1,8 +1,8 @@
 // Which step of a layered variance estimate goes wrong.
 #include <string>
 
-#include "filters/core/Prefilter.h"
-#include "filters/core/Text.h"
+#include "filters/core/prefilter/Prefilter.h"
+#include "filters/core/support/Text.h"
 #include "filters/techniques/lvsm/Lvsm.h"
 #include "filters/techniques/lvsm/LvsmSum.h"
 #include "filters/techniques/vsm/VarianceErrors.h"

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "filters/core/Error.h"
-#include "filters/core/Prefilter.h"
+#include "filters/core/prefilter/Prefilter.h"
+#include "filters/core/support/Error.h"
 #include "filters/techniques/vsm/Vsm.h"
 
 namespace umbra {

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "filters/core/Trace.h"
+#include "filters/core/technique/Trace.h"
 
 namespace umbra {
 

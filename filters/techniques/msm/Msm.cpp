@@ -5,9 +5,9 @@
 
 #include "Msm_glsl.h"
 #include "Msm_md.h"
-#include "filters/core/ErrorShares.h"
-#include "filters/core/TechniqueCatalogue.h"
-#include "filters/core/Text.h"
+#include "filters/core/prefilter/ErrorShares.h"
+#include "filters/core/support/Text.h"
+#include "filters/core/technique/TechniqueCatalogue.h"
 #include "filters/techniques/msm/Hamburger.h"
 #include "filters/techniques/vsm/Chebyshev.h"
 

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "filters/core/Technique.h"
+#include "filters/core/technique/Technique.h"
 
 namespace umbra::msm {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "filters/core/Prefilter.h"
+#include "filters/core/prefilter/Prefilter.h"
 #include "filters/techniques/msm/Hamburger.h"
 #include "filters/techniques/vsm/Vsm.h"
 

@@ -5,9 +5,9 @@
 
 #include "Pcf_glsl.h"
 #include "Pcf_md.h"
-#include "filters/core/ErrorShares.h"
-#include "filters/core/TechniqueCatalogue.h"
-#include "filters/core/Text.h"
+#include "filters/core/prefilter/ErrorShares.h"
+#include "filters/core/support/Text.h"
+#include "filters/core/technique/TechniqueCatalogue.h"
 
 namespace umbra::pcf {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "filters/core/Technique.h"
+#include "filters/core/technique/Technique.h"
 #include "filters/techniques/pcf/PoissonDisc.h"
 
 namespace umbra::pcf {

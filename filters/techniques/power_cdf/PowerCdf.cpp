@@ -3,8 +3,8 @@
 #include "PowerCdf_glsl.h"
 #include "PowerCdf_md.h"
 #include "PowerVisibility_glsl.h"
-#include "filters/core/ErrorShares.h"
-#include "filters/core/TechniqueCatalogue.h"
+#include "filters/core/prefilter/ErrorShares.h"
+#include "filters/core/technique/TechniqueCatalogue.h"
 #include "filters/techniques/power_cdf/PowerErrors.h"
 #include "filters/techniques/power_cdf/PowerVisibility.h"
 

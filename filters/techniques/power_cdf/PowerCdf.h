@@ -1,7 +1,7 @@
 // Power CDF shadow maps (Gumbau, Szirmay-Kalos, Sbert & Chover 2011).
 #pragma once
 
-#include "filters/core/Technique.h"
+#include "filters/core/technique/Technique.h"
 
 namespace umbra::power_cdf {
 

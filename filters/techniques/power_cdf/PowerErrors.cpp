@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "filters/core/Text.h"
+#include "filters/core/support/Text.h"
 #include "filters/techniques/power_cdf/PowerVisibility.h"
 
 namespace umbra {

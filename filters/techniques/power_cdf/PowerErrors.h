@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "filters/core/ErrorShares.h"
+#include "filters/core/prefilter/ErrorShares.h"
 
 namespace umbra {
 

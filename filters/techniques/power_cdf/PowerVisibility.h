@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "filters/core/Trace.h"
+#include "filters/core/technique/Trace.h"
 
 namespace umbra {
 

@@ -1,7 +1,7 @@
 #include "filters/techniques/vsm/VarianceErrors.h"
 
-#include "filters/core/Prefilter.h"
-#include "filters/core/Text.h"
+#include "filters/core/prefilter/Prefilter.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {

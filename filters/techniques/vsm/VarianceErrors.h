@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "filters/core/ErrorShares.h"
+#include "filters/core/prefilter/ErrorShares.h"
 
 namespace umbra {
 

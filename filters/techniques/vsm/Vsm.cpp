@@ -2,7 +2,7 @@
 
 #include "Vsm_glsl.h"
 #include "Vsm_md.h"
-#include "filters/core/TechniqueCatalogue.h"
+#include "filters/core/technique/TechniqueCatalogue.h"
 #include "filters/techniques/vsm/Chebyshev.h"
 #include "filters/techniques/vsm/VarianceErrors.h"
 

@@ -1,7 +1,7 @@
 // Variance shadow maps (Donnelly & Lauritzen 2006; Lauritzen 2008, chapter 3).
 #pragma once
 
-#include "filters/core/Technique.h"
+#include "filters/core/technique/Technique.h"
 
 namespace umbra::vsm {
 

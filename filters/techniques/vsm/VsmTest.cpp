@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "filters/core/Prefilter.h"
+#include "filters/core/prefilter/Prefilter.h"
 
 namespace umbra {
 namespace {

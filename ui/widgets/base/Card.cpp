@@ -1,12 +1,12 @@
-#include "ui/widgets/Card.h"
+#include "ui/widgets/base/Card.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
 #include <QVBoxLayout>
 
-#include "ui/widgets/ElidedLabel.h"
-#include "ui/widgets/Style.h"
+#include "ui/widgets/base/ElidedLabel.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 

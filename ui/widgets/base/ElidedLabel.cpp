@@ -1,4 +1,4 @@
-#include "ui/widgets/ElidedLabel.h"
+#include "ui/widgets/base/ElidedLabel.h"
 
 #include <QPainter>
 

@@ -1,4 +1,4 @@
-#include "ui/widgets/Style.h"
+#include "ui/widgets/base/Style.h"
 
 #include <QFontMetricsF>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ui/widgets/Controls.h"
+#include "ui/widgets/forms/Controls.h"
 
 #include <QEvent>
 #include <QMouseEvent>
@@ -6,7 +6,7 @@
 #include <QStyleOptionSlider>
 #include <cmath>
 
-#include "ui/widgets/Style.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 namespace {

@@ -4,7 +4,7 @@
 #include <QDoubleSpinBox>
 #include <QSlider>
 
-#include "ui/widgets/SliderScale.h"
+#include "ui/widgets/forms/SliderScale.h"
 
 namespace umbra {
 

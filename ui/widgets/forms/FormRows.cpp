@@ -1,4 +1,4 @@
-#include "ui/widgets/FormRows.h"
+#include "ui/widgets/forms/FormRows.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -6,7 +6,7 @@
 #include <QStandardItemModel>
 #include <QVBoxLayout>
 
-#include "ui/widgets/Controls.h"
+#include "ui/widgets/forms/Controls.h"
 
 namespace umbra {
 

@@ -1,4 +1,4 @@
-#include "ui/widgets/FrameSettingsForm.h"
+#include "ui/widgets/forms/FrameSettingsForm.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "ui/widgets/Controls.h"
-#include "ui/widgets/FormRows.h"
-#include "ui/widgets/Style.h"
+#include "ui/widgets/base/Style.h"
+#include "ui/widgets/forms/Controls.h"
+#include "ui/widgets/forms/FormRows.h"
 
 namespace umbra {
 

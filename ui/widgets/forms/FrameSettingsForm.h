@@ -5,8 +5,8 @@
 #include <functional>
 #include <memory>
 
-#include "filters/core/FrameSettings.h"
-#include "ui/widgets/Card.h"
+#include "filters/core/settings/FrameSettings.h"
+#include "ui/widgets/base/Card.h"
 
 namespace umbra {
 

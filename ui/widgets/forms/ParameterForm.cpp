@@ -1,11 +1,11 @@
-#include "ui/widgets/ParameterForm.h"
+#include "ui/widgets/forms/ParameterForm.h"
 
 #include <QLabel>
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "ui/widgets/ParameterRow.h"
-#include "ui/widgets/Style.h"
+#include "ui/widgets/base/Style.h"
+#include "ui/widgets/forms/ParameterRow.h"
 
 namespace umbra {
 namespace {

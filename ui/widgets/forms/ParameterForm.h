@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "filters/core/Technique.h"
-#include "ui/widgets/Card.h"
+#include "filters/core/technique/Technique.h"
+#include "ui/widgets/base/Card.h"
 
 class QLabel;
 

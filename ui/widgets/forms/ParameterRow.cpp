@@ -1,4 +1,4 @@
-#include "ui/widgets/ParameterRow.h"
+#include "ui/widgets/forms/ParameterRow.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -8,10 +8,10 @@
 #include <QVBoxLayout>
 #include <optional>
 
-#include "filters/core/Error.h"
-#include "filters/core/Text.h"
-#include "ui/widgets/Controls.h"
-#include "ui/widgets/Style.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/support/Text.h"
+#include "ui/widgets/base/Style.h"
+#include "ui/widgets/forms/Controls.h"
 
 namespace umbra {
 namespace {

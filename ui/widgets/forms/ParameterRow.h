@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <memory>
 
-#include "filters/core/Parameters.h"
+#include "filters/core/support/Parameters.h"
 
 class QLabel;
 class QToolButton;

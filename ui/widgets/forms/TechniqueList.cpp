@@ -1,11 +1,11 @@
-#include "ui/widgets/TechniqueList.h"
+#include "ui/widgets/forms/TechniqueList.h"
 
 #include <QListWidget>
 #include <QPainter>
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
-#include "ui/widgets/Style.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 namespace {

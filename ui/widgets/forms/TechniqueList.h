@@ -4,8 +4,8 @@
 #include <QMap>
 #include <vector>
 
-#include "filters/core/Technique.h"
-#include "ui/widgets/Card.h"
+#include "filters/core/technique/Technique.h"
+#include "ui/widgets/base/Card.h"
 
 class QListWidget;
 

@@ -1,9 +1,9 @@
-#include "ui/widgets/ColourBar.h"
+#include "ui/widgets/maps/ColourBar.h"
 
 #include <QPainter>
 
 #include "filters/gpu/ViewColours.h"
-#include "ui/widgets/Style.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 namespace {

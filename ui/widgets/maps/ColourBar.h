@@ -3,8 +3,8 @@
 
 #include <QWidget>
 
-#include "filters/core/FrameSettings.h"
-#include "ui/widgets/ColourMap.h"
+#include "filters/core/settings/FrameSettings.h"
+#include "ui/widgets/maps/ColourMap.h"
 
 namespace umbra {
 

@@ -1,4 +1,4 @@
-#include "ui/widgets/ColourMap.h"
+#include "ui/widgets/maps/ColourMap.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ui/widgets/PictureCanvas.h"
+#include "ui/widgets/maps/PictureCanvas.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/widgets/Style.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 namespace {

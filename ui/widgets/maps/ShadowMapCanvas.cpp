@@ -1,11 +1,11 @@
-#include "ui/widgets/ShadowMapCanvas.h"
+#include "ui/widgets/maps/ShadowMapCanvas.h"
 
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
-#include "ui/widgets/Style.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 namespace {

@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "filters/core/Image.h"
-#include "filters/core/Region.h"
-#include "ui/widgets/ColourMap.h"
+#include "filters/core/maps/Image.h"
+#include "filters/core/maps/Region.h"
+#include "ui/widgets/maps/ColourMap.h"
 
 namespace umbra {
 

@@ -5,7 +5,7 @@
 #include <QWheelEvent>
 #include <cmath>
 
-#include "ui/widgets/ShadowMapCanvas.h"
+#include "ui/widgets/maps/ShadowMapCanvas.h"
 
 namespace umbra {
 namespace {

@@ -1,12 +1,12 @@
-#include "ui/widgets/ShadowMapView.h"
+#include "ui/widgets/maps/ShadowMapView.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QToolButton>
 
-#include "ui/widgets/ColourBar.h"
-#include "ui/widgets/ShadowMapCanvas.h"
-#include "ui/widgets/Style.h"
+#include "ui/widgets/base/Style.h"
+#include "ui/widgets/maps/ColourBar.h"
+#include "ui/widgets/maps/ShadowMapCanvas.h"
 
 namespace umbra {
 namespace {

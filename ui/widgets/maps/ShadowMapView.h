@@ -4,9 +4,9 @@
 #include <QStringList>
 #include <optional>
 
-#include "filters/core/Image.h"
-#include "filters/core/Region.h"
-#include "ui/widgets/Card.h"
+#include "filters/core/maps/Image.h"
+#include "filters/core/maps/Region.h"
+#include "ui/widgets/base/Card.h"
 
 class QComboBox;
 class QToolButton;

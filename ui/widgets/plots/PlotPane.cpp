@@ -1,4 +1,4 @@
-#include "ui/widgets/PlotPane.h"
+#include "ui/widgets/plots/PlotPane.h"
 
 #include <qwt_plot.h>
 #include <qwt_plot_canvas.h>
@@ -22,11 +22,11 @@
 #include <cmath>
 #include <utility>
 
-#include "analysis/ProbePlots.h"
-#include "filters/core/Error.h"
-#include "ui/PlotRenderer.h"
-#include "ui/widgets/PlotReadout.h"
-#include "ui/widgets/Style.h"
+#include "analysis/plots/ProbePlots.h"
+#include "filters/core/support/Error.h"
+#include "ui/plots/PlotRenderer.h"
+#include "ui/widgets/base/Style.h"
+#include "ui/widgets/plots/PlotReadout.h"
 
 namespace umbra {
 namespace {

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "analysis/Plot.h"
-#include "ui/widgets/Card.h"
+#include "analysis/plots/Plot.h"
+#include "ui/widgets/base/Card.h"
 
 class QLabel;
 class QStackedLayout;

@@ -1,9 +1,9 @@
-#include "ui/widgets/PlotReadout.h"
+#include "ui/widgets/plots/PlotReadout.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "filters/core/Text.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "analysis/Plot.h"
+#include "analysis/plots/Plot.h"
 
 namespace umbra {
 

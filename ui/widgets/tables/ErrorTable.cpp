@@ -1,4 +1,4 @@
-#include "ui/widgets/ErrorTable.h"
+#include "ui/widgets/tables/ErrorTable.h"
 
 #include <QAction>
 #include <QClipboard>
@@ -7,8 +7,8 @@
 #include <QKeyEvent>
 #include <QLocale>
 
-#include "ui/widgets/PlainTable.h"
-#include "ui/widgets/Style.h"
+#include "ui/widgets/base/Style.h"
+#include "ui/widgets/tables/PlainTable.h"
 
 namespace umbra {
 namespace {

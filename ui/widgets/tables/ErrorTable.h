@@ -5,7 +5,7 @@
 #include <QTableWidget>
 #include <optional>
 
-#include "analysis/ErrorDecomposition.h"
+#include "analysis/errors/ErrorDecomposition.h"
 
 namespace umbra {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "filters/gpu/ViewColours.h"
-#include "ui/widgets/KeptProbesModel.h"
-#include "ui/widgets/Style.h"
+#include "ui/widgets/base/Style.h"
+#include "ui/widgets/tables/KeptProbesModel.h"
 
 namespace umbra {
 namespace {

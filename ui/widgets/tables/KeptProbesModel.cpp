@@ -1,8 +1,8 @@
-#include "ui/widgets/KeptProbesModel.h"
+#include "ui/widgets/tables/KeptProbesModel.h"
 
 #include <algorithm>
 
-#include "ui/widgets/Style.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 namespace {

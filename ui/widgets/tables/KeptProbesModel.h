@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "analysis/ProbeSheet.h"
+#include "analysis/probe/ProbeSheet.h"
 
 namespace umbra {
 

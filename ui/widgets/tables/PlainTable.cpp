@@ -1,9 +1,9 @@
-#include "ui/widgets/PlainTable.h"
+#include "ui/widgets/tables/PlainTable.h"
 
 #include <QHeaderView>
 #include <QTableView>
 
-#include "ui/widgets/Style.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 

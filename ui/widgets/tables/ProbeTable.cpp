@@ -1,4 +1,4 @@
-#include "ui/widgets/ProbeTable.h"
+#include "ui/widgets/tables/ProbeTable.h"
 
 #include <QAction>
 #include <QClipboard>
@@ -8,9 +8,9 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "ui/widgets/PlainTable.h"
-#include "ui/widgets/ProbeTableModel.h"
-#include "ui/widgets/Style.h"
+#include "ui/widgets/base/Style.h"
+#include "ui/widgets/tables/PlainTable.h"
+#include "ui/widgets/tables/ProbeTableModel.h"
 
 namespace umbra {
 namespace {

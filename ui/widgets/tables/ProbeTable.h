@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "ui/widgets/Card.h"
-#include "ui/widgets/ProbeTableModel.h"
+#include "ui/widgets/base/Card.h"
+#include "ui/widgets/tables/ProbeTableModel.h"
 
 class QLabel;
 class QTableView;

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/widgets/ProbeTableModel.h"
-#include "ui/widgets/Style.h"
+#include "ui/widgets/base/Style.h"
+#include "ui/widgets/tables/ProbeTableModel.h"
 
 namespace umbra {
 namespace {

@@ -1,10 +1,10 @@
-#include "ui/widgets/ProbeTableModel.h"
+#include "ui/widgets/tables/ProbeTableModel.h"
 
 #include <algorithm>
 #include <limits>
 
-#include "filters/core/Parameters.h"
-#include "ui/widgets/Style.h"
+#include "filters/core/support/Parameters.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "analysis/Probe.h"
+#include "analysis/probe/Probe.h"
 
 namespace umbra {
 

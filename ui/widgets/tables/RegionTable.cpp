@@ -1,11 +1,11 @@
-#include "ui/widgets/RegionTable.h"
+#include "ui/widgets/tables/RegionTable.h"
 
 #include <QGridLayout>
 #include <QLabel>
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "ui/widgets/Style.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <QVector>
 
-#include "analysis/Probe.h"
-#include "ui/widgets/Card.h"
+#include "analysis/probe/Probe.h"
+#include "ui/widgets/base/Card.h"
 
 class QLabel;
 

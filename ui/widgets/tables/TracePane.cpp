@@ -1,4 +1,4 @@
-#include "ui/widgets/TracePane.h"
+#include "ui/widgets/tables/TracePane.h"
 
 #include <QClipboard>
 #include <QGuiApplication>
@@ -8,8 +8,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "analysis/Explain.h"
-#include "ui/widgets/Style.h"
+#include "analysis/probe/Explain.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 namespace {

@@ -1,8 +1,8 @@
 // "Why is it lit?": a technique's evaluation at the probe, step by step, and the step that errs.
 #pragma once
 
-#include "filters/core/Trace.h"
-#include "ui/widgets/Card.h"
+#include "filters/core/technique/Trace.h"
+#include "ui/widgets/base/Card.h"
 
 class QLabel;
 class QTableWidget;
