@@ -71,28 +71,31 @@ time_left() {
 # build [CMAKE ARGUMENT...]: builds, and says how far it is and how long it will take: on one line
 # of a terminal, every 20 seconds elsewhere. What the compiler says is passed on.
 build() {
-  local total done=0 began=$SECONDS said=$SECONDS line left
-  total=$(cmake --build --preset release "$@" -- -n 2>/dev/null | grep -c 'Building CXX') || true
-  [ "$total" -lt 10 ] || say "Building $total source files on $(nproc) cores; the first time takes a while."
+  local line step steps left said=$SECONDS began=0 first=0
   NINJA_STATUS='[%f/%t] ' cmake --build --preset release "$@" 2>&1 | while IFS= read -r line; do
     case "$line" in
-      '['*'] Building CXX'*) done=$((done + 1)) ;;
-      '['*) ;;
+      '['*/*'] '*) ;;
       'ninja: no work to do.' | 'ninja: Entering directory'*) continue ;;
       *) printf '%s\n' "$line" >&2; continue ;;
     esac
-    # The first files tell little of what all will take.
+    step=${line#[} step=${step%%]*} steps=${step#*/} step=${step%/*}
+    # Texts are embedded first, which tells little of what compiling takes.
+    if [ "$first" -eq 0 ]; then
+      [[ $line == *'Building CXX'* ]] || continue
+      first=$step began=$SECONDS
+      [ "$steps" -lt 20 ] || say "Building in $steps steps on $(nproc) cores; the first time takes a while."
+    fi
     left=''
-    [ "$done" -lt 10 ] || [ "$total" -lt "$done" ] ||
-      left=", $(time_left $(((SECONDS - began) * (total - done) / done))) left"
+    [ $((step - first)) -lt 10 ] ||
+      left=", $(time_left $(((SECONDS - began) * (steps - step) / (step - first)))) left"
     if [ -t 2 ]; then
-      printf '\r\033[K[%d/%d] compiled%s' "$done" "$total" "$left" >&2
+      printf '\r\033[K[%d/%d]%s' "$step" "$steps" "$left" >&2
     elif [ $((SECONDS - said)) -ge 20 ]; then
       said=$SECONDS
-      say "[$done/$total] compiled$left"
+      say "[$step/$steps]$left"
     fi
   done
   local status=${PIPESTATUS[0]}
-  [ -t 2 ] && printf '\r\033[K' >&2
+  [ ! -t 2 ] || printf '\r\033[K' >&2
   return "$status"
 }
