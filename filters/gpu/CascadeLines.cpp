@@ -30,7 +30,7 @@ vtkSmartPointer<vtkActor> lineActor(vtkPolyData* data, float width) {
   return actor;
 }
 
-// The tints are pale; lines need more to be seen on them.
+// The view mode's colours are pale; lines need stronger ones to be seen on them.
 std::array<unsigned char, 3> lineColour(std::size_t cascade) {
   std::array<unsigned char, 3> bytes{};
   for (std::size_t c = 0; c < 3; ++c)
@@ -38,7 +38,7 @@ std::array<unsigned char, 3> lineColour(std::size_t cascade) {
   return bytes;
 }
 
-// The twelve edges of boxes whose corners run round one face and then round the other.
+// Adds the twelve edges of boxes; corners go round one face and then round the opposite one.
 void setBoxes(vtkPolyData& data, const std::vector<Corners>& boxes) {
   const auto points = vtkSmartPointer<vtkPoints>::New();
   const auto lines = vtkSmartPointer<vtkCellArray>::New();

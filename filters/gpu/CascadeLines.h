@@ -1,5 +1,5 @@
-// The parts of a view that was held fast, and the windows of the light's map that hold them, drawn
-// as lines in the scene: for whoever looks from elsewhere.
+// Lines in the scene that show the parts of a frozen view and the windows of the light's map that
+// hold them, for a viewer who looks from elsewhere.
 #pragma once
 
 #include <vtkActor.h>
@@ -24,12 +24,12 @@ class CascadeLines {
   void addTo(vtkRenderer& renderer);
   void removeFrom(vtkRenderer& renderer);
 
-  // In the colours of the cascades' view mode: each part of the view of `camera`, and thinner its
-  // window between the light's near and far plane.
+  // Draws, in the colours of the cascades' view mode, each part of the view of `camera`, and with
+  // thinner lines its window between the light's near and far plane.
   void show(const Camera& camera, double aspect, const std::vector<Cascade>& cascades);
   void hide();
 
-  // For tests: views, then windows.
+  // For tests: the actor of the views, then that of the windows.
   std::array<vtkActor*, 2> actors() const { return {views_, windows_}; }
 
  private:

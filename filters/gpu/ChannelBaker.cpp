@@ -14,7 +14,7 @@
 namespace umbra {
 namespace {
 
-// One and two channels need not carry the other two or three along.
+// Textures of one or two channels hold no more components than that; larger ones hold four a layer.
 constexpr GLenum textureFormat(StorageFormat format, std::size_t channels) {
   const auto choose = [&](GLenum one, GLenum two, GLenum four) {
     return channels == 1 ? one : channels == 2 ? two : four;
@@ -34,7 +34,7 @@ constexpr GLenum textureFormat(StorageFormat format, std::size_t channels) {
   return GL_NONE;
 }
 
-// Of one texel of such textures, in all their layers.
+// The bytes of one texel of such textures, in all their layers.
 std::size_t texelBytes(StorageFormat format, std::size_t channels) {
   const std::size_t stored = channels <= 2 ? channels : 4 * std::size_t(layersFor(int(channels)));
   switch (format) {
@@ -48,15 +48,15 @@ std::size_t texelBytes(StorageFormat format, std::size_t channels) {
     case StorageFormat::Double:
       break;
   }
-  return 0;  // as textureFormat: no texture holds it
+  return 0;  // no texture holds doubles; see textureFormat
 }
 
 GLuint groups(int items, int groupSize) {
   return GLuint((items + groupSize - 1) / groupSize);
 }
 
-// Store.glsl for this target. What is settled when a shader is compiled costs nothing later: a
-// software renderer executes both sides of a branch.
+// Store.glsl for this target. Conditions that are decided when a shader is compiled cost nothing
+// later: a software renderer executes both sides of a branch.
 std::string storeSource(const gl::Texture& target) {
   const GLenum format = target.format();
   const bool half = format == GL_R16F || format == GL_RG16F || format == GL_RGBA16F;
@@ -67,7 +67,7 @@ void bindTarget(const gl::Texture& target, int level = 0) {
   glBindImageTexture(0, target.name(), level, GL_TRUE, 0, GL_WRITE_ONLY, target.format());
 }
 
-// Until the results may be sampled, read back and written again.
+// Waits until the results may be sampled, read back and written again.
 void finish() {
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
                   GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
@@ -75,7 +75,7 @@ void finish() {
   glUseProgram(0);
 }
 
-// Units that VTK does not hold on to between its draws.
+// VTK keeps no texture on these units between its draws.
 constexpr int depthUnit = 0, channelUnit = 1;
 
 float reductionSign(Reduction reduction) {
@@ -139,7 +139,7 @@ void ChannelBaker::encode(Technique& technique, StorageFormat format) {
   encoded_.require(textureFormat(format, layout_.size()), depth_.width(), depth_.height(),
                    cascades_ * channelLayers());
   const std::string name = "encode of " + std::string(technique.info().id);
-  MapReads reads;  // how the channels will be read makes no other program
+  MapReads reads;  // Reads have no influence on encoding; the defaults keep it one program.
   reads.samples = samples_;
   const GLuint program = programs_.compute(
       name, computeSource(technique, reads, storeSource(encoded_) + Encode_comp_glsl));

@@ -13,10 +13,10 @@
 
 namespace umbra {
 
-// Bytes of the textures that a square map of these settings takes on the GPU: the depth, the
-// encoded channels and, where there is something to prefilter, the reduced ones and those between
-// its two axes; mip levels or a summed-area table where the filter reads them. More channels than
-// two fill whole layers of four.
+// The bytes that the textures of a square map with these settings take on the GPU: the depth, the
+// encoded channels and, where there is something to prefilter, the reduced channels and those
+// between the two axes, as well as mip levels or a summed-area table where the filter reads them.
+// More channels than two fill whole layers of four.
 std::size_t textureBytes(const FrameSettings& settings, const Technique& technique);
 
 // Every call needs a current context (4.5 core) and leaves no program bound. Textures are as large
@@ -29,45 +29,48 @@ class ChannelBaker {
   gl::Texture& depthMap() { return depth_; }
   int cascades() const { return cascades_; }
   int samples() const { return samples_; }
-  // Of a cascade there is room for; a map of another size or samples gets room of its own.
+  // Replaces the depths of a cascade for which there is room. A map of another size or with another
+  // number of samples gets new room.
   void uploadDepth(const DepthMap& map, int cascade = 0);
   DepthMap readDepth(int cascade = 0) const;
 
   // Encodes every texel into `format` (any but Double).
   void encode(Technique& technique, StorageFormat format);
-  // Reduces what `encode` left over the kernel: 32-bit between the axes, `format` at the end. The
-  // cost per texel does not grow with the radius of a box. Where the kernel is empty or the
-  // technique reads raw texels, the encoded channels stand for the prefiltered ones.
+  // Reduces over the kernel what `encode` left. Values are 32-bit between the axes and `format` at
+  // the end. The cost per texel does not grow with the radius of a box. Where the kernel is empty
+  // or the technique reads raw texels, the encoded channels serve as the prefiltered ones.
   void prefilter(const Kernel& kernel);
-  // The mip levels of what `prefilter` left, each rounded to the format.
+  // Builds the mip levels of what `prefilter` left, each rounded to the format.
   void buildLevels();
-  // Whether they are not built yet; a technique that reads raw texels has none.
+  // Whether the levels are still to be built; a technique that reads raw texels has none.
   bool needsLevels() const { return prefilterable_ && !levelled_; }
 
-  // The summed-area table of what `prefilter` left.
+  // Builds the summed-area table of what `prefilter` left.
   void buildSums(SatPrecision precision);
-  // As needsLevels(), of such a table.
+  // Whether the table is still to be built; a technique that reads raw texels has none.
   bool needsSums(SatPrecision precision) const {
     return prefilterable_ && !(summed_ && sumPrecision_ == precision);
   }
 
-  // What the shaded frame reads. Layer: cascade * layersFor(channels) + layer of the channels.
+  // The channels that the shaded frame reads. Layer: cascade * layersFor(channels) + layer of the
+  // channels.
   const gl::Texture& channelMap() const { return stage(BakeStage::Prefiltered); }
-  // Mip levels 1 and on: with P the next power of two of the map's longer side, mip level L has
-  // P >> L texels a side. Nothing before they are built.
+  // Mip levels 1 and on. With P the next power of two of the map's longer side, mip level L has P
+  // >> L texels a side. The texture is empty before they are built.
   const gl::Texture& levelMap() const { return levels_; }
-  // As SummedAreaTable lays it out. Nothing before it is built.
+  // The table in the layout of SummedAreaTable. It is empty before it is built.
   const gl::Texture& sumMap() const { return sums_.texture(); }
-  // Interleaved channels as values, not as stored fractions.
+  // Channels interleaved, as values and not as stored fractions.
   Image<float> read(BakeStage stage, int cascade = 0) const;
-  Image<float> readLevel(int level, int cascade = 0) const;  // 1 and on
+  Image<float> readLevel(int level, int cascade = 0) const;  // levels 1 and on
   // Takes `channels` for the stage: the tests feed each stage with the reference's last one.
   void upload(BakeStage stage, const Image<float>& channels, int cascade = 0);
 
-  // For each pixel (u, v, z_r, ·) of `surfaces`: visibility and exact percentage-closer filtering,
-  // both 1 where (u, v) is outside [0,1]. Two floats a pixel in the row order of `surfaces`.
-  // `footprints` (x, y, probes, cascade + weight of the next one) may be none where
-  // !reads.needFootprints(). Takes cascades and samples as they were prepared.
+  // Evaluates for each pixel (u, v, z_r, ·) of `surfaces` the visibility and exact
+  // percentage-closer filtering; both are 1 where (u, v) is outside [0,1]. The result has two
+  // floats a pixel in the row order of `surfaces`. `footprints` (x, y, probes, cascade + weight of
+  // the next one) may be null unless reads.needFootprints(). The numbers of cascades and samples
+  // are those of the prepared depths.
   std::vector<float> evaluate(const gl::Texture& surfaces, const gl::Texture* footprints,
                               Technique& technique, MapReads reads);
 
@@ -76,7 +79,7 @@ class ChannelBaker {
  private:
   const gl::Texture& stage(BakeStage stage) const;
   int channelLayers() const { return layersFor(int(layout_.size())); }
-  std::vector<float> signs() const;  // as Reduce.glsl has them
+  std::vector<float> signs() const;  // signs for Reduce.glsl
   std::string reductionSource(const gl::Texture& target) const;
   Image<float> valuesOf(const std::vector<float>& texels, int width, int height) const;
   void reduceAlong(int x, int y, const gl::Texture& source, const gl::Texture& target,

@@ -59,7 +59,7 @@ class EglContext {
   }
   bool isCurrent() const { return context_ != EGL_NO_CONTEXT && getCurrent_() == context_; }
 
-  // The function of OpenGL of that name; null where there is none.
+  // The OpenGL function of that name; null where there is none.
   using Function = void (*)();
   Function function(const char* name) const { return getProcAddress_(name); }
 

@@ -1,4 +1,4 @@
-// What the depth pass and the shading pass both tell their shaders of the light.
+// The uniforms of the light that both the depth pass and the shading pass set.
 #pragma once
 
 #include "filters/core/scene/Light.h"
@@ -6,7 +6,7 @@
 
 namespace umbra {
 
-// umbraLightToClip, umbraSpot, umbraNear and umbraPerDistance of `program`.
+// Sets umbraLightToClip, umbraSpot, umbraNear and umbraPerDistance of `program`.
 inline void setLightUniforms(GLuint program, const LightFrame& frame) {
   const Eigen::Matrix4f lightToClip = frame.lightToClip.cast<float>();
   gl::setUniformMatrix4(program, "umbraLightToClip", lightToClip.data());

@@ -48,7 +48,7 @@ vtkSmartPointer<vtkPolyData> toPolyData(const Mesh& mesh) {
 vtkSmartPointer<vtkActor> toActor(vtkPolyData* data) {
   const auto mapper = vtkSmartPointer<vtkOpenGLPolyDataMapper>::New();
   mapper->SetInputData(data);
-  // The shaders take vertices for world coordinates.
+  // The shaders take the caster's vertices as world coordinates.
   mapper->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
   mapper->ScalarVisibilityOff();
   auto actor = vtkSmartPointer<vtkActor>::New();
@@ -103,7 +103,7 @@ void SceneActors::removeFrom(vtkRenderer& renderer) {
   for (const auto& actor : objects_) renderer.RemoveActor(actor);
   objects_.clear();
   closedBodies_.clear();
-  // Not in the renderer, which would have told it to free its buffers.
+  // The caster is not in the renderer, which would have told it to free its buffers.
   if (caster_ && renderer.GetRenderWindow())
     caster_->ReleaseGraphicsResources(renderer.GetVTKWindow());
   caster_ = nullptr;
@@ -123,10 +123,10 @@ void SceneLights::setLight(const Light& light) {
   casting_->SetPosition(light.position.x(), light.position.y(), light.position.z());
   casting_->SetFocalPoint(light.target.x(), light.target.y(), light.target.z());
   casting_->SetColor(light.colour.x(), light.colour.y(), light.colour.z());
-  // Leaves room for the other one below white.
+  // The dim light's share leaves room for the casting light below white.
   casting_->SetIntensity(0.75 * light.intensity);
   casting_->SetPositional(light.kind == LightKind::Spot);
-  casting_->SetConeAngle(light.halfAngle);  // VTK's is the half angle too
+  casting_->SetConeAngle(light.halfAngle);  // VTK's cone angle is the half angle, too
 }
 
 }  // namespace umbra

@@ -21,10 +21,10 @@ class SceneActors {
   void removeFrom(vtkRenderer& renderer);
 
   const std::vector<vtkSmartPointer<vtkActor>>& objects() const { return objects_; }
-  // Those of them that bound solid bodies: from outside, their back faces cannot be seen.
+  // The objects that bound solid bodies: from outside, their back faces cannot be seen.
   const std::vector<vtkSmartPointer<vtkActor>>& closedBodies() const { return closedBodies_; }
-  // Everything that casts a shadow as one mesh of positions: one draw from the light. Not in the
-  // renderer, so that the camera's culling cannot remove it.
+  // Everything that casts a shadow, as one mesh of positions, so that the light draws it at once.
+  // It is not in the renderer, so that the camera's culling cannot remove it.
   vtkActor* caster() const { return caster_; }
 
  private:
@@ -32,9 +32,9 @@ class SceneActors {
   vtkSmartPointer<vtkActor> caster_;
 };
 
-// The casting light, which is light 0 in VTK's shaders, and a dim one that casts nothing, above the
-// camera, so that shapes can be read in the shadow. One and no more: with a spot among them, VTK
-// takes all lights for spots, and each costs as much as a shadow.
+// The casting light, which is light 0 in VTK's shaders, and a dim light above the camera that casts
+// no shadow, so that shapes can be told apart in the shadow. There is only one dim light: beside a
+// spot light, VTK treats all lights as spots, and each costs as much as a shadow.
 class SceneLights {
  public:
   explicit SceneLights(vtkRenderer& renderer);

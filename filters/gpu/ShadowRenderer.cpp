@@ -55,7 +55,7 @@ class ShadowRenderer::Implementation {
     pass->SetLightFrame(fitLightFrame(light, bounds), bounds);
   }
 
-  // A view that was held fast is seen from elsewhere, split as it is.
+  // A frozen view is seen from elsewhere, with its own splits.
   void updateLines() {
     const CascadeSettings& cascades = pass->GetSettings().map.cascades;
     if (scene && cascades.frozen && cascades.count > 1)
@@ -64,7 +64,7 @@ class ShadowRenderer::Implementation {
       lines.hide();
   }
 
-  // For read-backs: throws when there is nothing to read.
+  // Every read-back calls it: it throws when there is nothing to read.
   void requireFrame() {
     if (!pass->HasFrame())
       throw Error(ErrorKind::WorkFailed, "no frame has been rendered that could be read back");
@@ -103,7 +103,7 @@ void ShadowRenderer::setScene(std::shared_ptr<const Scene> scene) {
   Implementation& my = *implementation_;
   if (!scene || scene->triangleCount() == 0)
     throw Error(ErrorKind::BadInput, "scene: there is no triangle to draw");
-  // Actors of the last scene free their buffers.
+  // The actors of the last scene free their buffers.
   my.window.MakeCurrent();
   my.actors.setScene(*scene, *my.renderer);
   my.pass->SetScene(my.actors);

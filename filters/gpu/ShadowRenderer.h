@@ -24,7 +24,7 @@ class vtkRenderWindow;
 
 namespace umbra {
 
-// GPU time of one pass of the last frame; passes that had nothing to do are absent.
+// The GPU time of one pass of the last frame; passes that had nothing to do are absent.
 struct PassTime {
   std::string pass;  // "depth", "splits", "encode", "prefilter", "levels", "sums", "shade",
                      // "view"
@@ -44,44 +44,47 @@ class ShadowRenderer {
   void setCamera(const Camera& camera);
   void setFrame(const FrameSettings& settings);
   void setTechnique(const Technique& technique);  // copies it, adapts the copy to each depth map
-  // How splits that follow the map (Technique::adaptedSplitCount) come to rest; converged unless
-  // it is set.
+  // Sets how splits that follow the map (Technique::adaptedSplitCount) come to rest. The default is
+  // Converged.
   void setSplitPace(SplitPace pace);
 
-  // The camera as an interactor may have moved it.
+  // The camera, which an interactor may have moved.
   Camera camera() const;
-  // For interactors and for drawing over the scene; its actors from outside cast no shadow.
+  // The renderer, for interactors and for drawing over the scene. Actors that others add cast no
+  // shadow.
   vtkRenderer& renderer();
-  LightFrame lightFrame() const;  // of the whole light
-  // Of the last frame: one that is the whole light's frame, or one for each part of the view.
+  LightFrame lightFrame() const;  // the whole light's
+  // The cascades of the last frame: the whole light's frame alone, or one for each part of the
+  // view.
   const std::vector<Cascade>& cascades() const;
-  // Samples a texel of the last bake; may be fewer than were asked for.
+  // Samples a texel in the last bake; the driver may give fewer than were asked for.
   int samples() const;
 
   // Whether another frame would move splits.
   bool splitsMoving() const;
-  // Of the technique in the last frame, ascending, for setAdaptedSplits of a copy that is to agree
-  // with the picture; none where they do not follow the map.
+  // The adapted splits of the last frame's technique, ascending. setAdaptedSplits makes a copy of
+  // the technique agree with the picture. Empty where the splits do not follow the map.
   std::vector<double> adaptedSplits() const;
 
-  // Bakes what changed and draws. Throws NoOpenGL or WorkFailed.
+  // Bakes what has changed and draws. Throws NoOpenGL or WorkFailed.
   void render();
 
-  // Read-backs of the last frame and bake. Pixel (0, 0) is the top-left one.
+  // These read back the last frame and its bake. Pixel (0, 0) is the top-left one.
   Image<std::uint8_t> colour();  // RGB, as shown
   // Four channels: u, v, z_r, visibility. u < 0 where there is no surface; z_r is negated where
   // the surface faces away from the light, and (u, v) leave [0,1] outside the light's frame.
   Image<float> surfaces();
-  // Four channels: x, y and probes of each pixel's footprint, then its cascade plus the weight of
-  // the next one: SurfacePoint's. Empty where the frame's reads have no footprint and one map.
+  // Four channels, as in SurfacePoint: x, y and probes of each pixel's footprint, then its cascade
+  // plus the weight of the next one. Empty where the frame's reads have no footprint and there is
+  // one map.
   Image<float> footprints();
   std::optional<SurfacePoint> surfaceAt(int x, int y);
   // Exact percentage-closer filtering of every pixel of the last frame over the region that the
   // frame's read averages; 1 where there is no surface. One channel.
   Image<float> reference();
-  // Read back once per bake; of one cascade.
+  // The depths of one cascade's map; they are read back once per bake.
   const DepthMap& depthMap(int cascade = 0);
-  // Of the technique, interleaved in its order; of one cascade.
+  // The technique's channels of one cascade, interleaved in the technique's order.
   Image<float> channels(BakeStage stage, int cascade = 0);
 
   std::vector<PassTime> passTimes() const;

@@ -3,9 +3,10 @@
 
 namespace umbra {
 
-// Two moved in a frame, in turn, from the last ones, so that no frame waits (Lauritzen 2008,
-// §4.1.3); or all of them, from uniform ones, before the frame is drawn. The latter depends on the
-// map alone and finds what `relax` finds on the CPU.
+// Gradual moves two splits in a frame, in turn, starting from the last splits, so that no frame
+// waits (Lauritzen 2008, §4.1.3). Converged moves all of them, starting from uniform splits, before
+// the frame is drawn; its result depends on the map alone and agrees with that of `relax` on the
+// CPU.
 enum class SplitPace { Gradual, Converged };
 
 }  // namespace umbra

@@ -13,14 +13,14 @@
 namespace umbra {
 namespace {
 
-// As SplitSums.glsl has it.
+// The same layout as in SplitSums.glsl.
 struct Sums {
   double weight, first, second;
   float low, high;
 };
 
 constexpr int groupSide = 8;     // invocations of a work group along either axis
-constexpr int ownSamples = 4;    // along either axis, of an invocation, at least
+constexpr int ownSamples = 4;    // the fewest samples of an invocation along either axis
 constexpr int largestGrid = 16;  // work groups along either axis that add up samples
 constexpr int run = 128;         // sums that one invocation of the reduction adds up
 constexpr int reduceGroup = 32;
@@ -29,7 +29,7 @@ GLuint groups(int items, int size) {
   return GLuint((items + size - 1) / size);
 }
 
-// The largest float that is not above it: samples are floats, and so lie on the same side of both.
+// The largest float that is not above `value`. Samples are floats and lie on the same side of both.
 float roundedDown(double value) {
   const float nearest = float(value);
   return nearest > value ? std::nextafter(nearest, -std::numeric_limits<float>::infinity())
@@ -75,13 +75,13 @@ bool SplitRelaxer::advance(const gl::Texture& depth, int count, SplitPace pace) 
   return splits() != before;
 }
 
-// Gradual splits go on from where the last ones are, so that a picture does not jump.
+// Gradual splits go on from the last splits, so that a picture does not jump.
 void SplitRelaxer::start(int count, SplitPace pace) {
   LloydOptions options{.splits = count, .movedPerIteration = pace == SplitPace::Gradual ? 2 : 0};
   if (pace == SplitPace::Gradual && int(splits().size()) == count) options.start = splits();
   relaxation_.emplace(options);
   pace_ = pace;
-  fence_.reset();  // what was asked for is of no use
+  fence_.reset();  // sums that were asked for are of no use any more
   oldSums_ = false;
 }
 
@@ -102,8 +102,8 @@ void SplitRelaxer::takeSamples(const gl::Texture& depth) {
   glUseProgram(0);
 }
 
-// Always for one cluster more than splits, which stays empty unless one is to be divided: then
-// no other program is needed for it.
+// There is always one cluster more than splits. It stays empty unless a cluster is to be divided,
+// which then needs no other program.
 void SplitRelaxer::request() {
   std::vector<double> ends = relaxation_->ends();
   asked_ = ends.size() + 1;
@@ -168,7 +168,7 @@ void SplitRelaxer::receive() {
     if (sums[i].weight > 0.0)
       clusters[i] = {sums[i].weight, sums[i].first, sums[i].second, sums[i].low, sums[i].high};
   relaxation_->take(clusters);
-  // What the last map ended with settles nothing for this one.
+  // The splits that the last map ended with need not be at rest for this one.
   if (std::exchange(oldSums_, false)) relaxation_->resume();
 }
 

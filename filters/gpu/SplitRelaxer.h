@@ -19,17 +19,18 @@ class SplitRelaxer {
  public:
   explicit SplitRelaxer(WeightClamp clamp = {}) : clamp_(clamp) {}
 
-  // The depth map is another one than at the last `advance`.
+  // Says that the depth map is not the one of the last `advance` any more.
   void mapChanged() { mapChanged_ = true; }
 
   // Whether `advance` has anything to do.
   bool due(int count, SplitPace pace) const {
     return mapChanged_ || moving() || pace != pace_ || int(splits().size()) != count;
   }
-  // One frame's work on `count` splits of `depth`, an array of R32F textures with linear depth of
-  // which the first layer is read, two texels a side at least. Another count starts from uniform
-  // splits. At a gradual pace it takes what an earlier frame asked for, if it has arrived, and asks
-  // for more until nothing moves; then it costs nothing. Returns whether splits() changed.
+  // Does one frame's work on `count` splits of `depth`, an array of R32F textures with linear
+  // depth, at least two texels a side, whose first layer is read. Another count starts from uniform
+  // splits. At a gradual pace it takes the sums that an earlier frame asked for, if they have
+  // arrived, and asks for more until nothing moves; then it costs nothing. Returns whether splits()
+  // changed.
   bool advance(const gl::Texture& depth, int count, SplitPace pace);
 
   // Whether a later frame will move splits, as far as is known.
@@ -37,7 +38,7 @@ class SplitRelaxer {
   std::vector<double> splits() const {  // ascending
     return relaxation_ ? relaxation_->result().splits : std::vector<double>();
   }
-  // Of the present map: what it took, and the cost before each iteration.
+  // The relaxation for the present map, with the cost before each iteration.
   LloydResult result() const { return relaxation_ ? relaxation_->result() : LloydResult{}; }
 
   void releaseGraphicsResources();
@@ -60,10 +61,11 @@ class SplitRelaxer {
   SplitPace pace_ = SplitPace::Converged;
   std::optional<Relaxation> relaxation_;
   bool mapChanged_ = true;
-  bool oldSums_ = false;  // those under way are of the map before
+  bool oldSums_ = false;  // the sums on their way are of the map before
 
   gl::ProgramCache programs_;
-  // There only while splits move: value and weight, and two buffers that take turns for sums.
+  // These exist only while splits move: values and weights, and two buffers that take turns for
+  // sums.
   gl::Texture samples_;
   gl::BufferHandle fine_, coarse_;
   std::size_t capacity_ = 0;  // bytes of either buffer

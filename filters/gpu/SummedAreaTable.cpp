@@ -12,10 +12,11 @@ namespace umbra {
 namespace {
 
 constexpr int sourceUnit = 0, centreUnit = 1;
-// Terms that one pass adds up. More passes of two cost more memory traffic than they save sums.
+// The terms that one pass adds up. More passes of two terms would cost more memory traffic than
+// they save sums.
 constexpr int terms = 4;
 
-// With as many components as `channels`.
+// A format with as many components as `channels`.
 GLenum tableFormat(const gl::Texture& channels) {
   switch (channels.format()) {
     case GL_R8:

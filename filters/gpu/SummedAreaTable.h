@@ -21,11 +21,12 @@ class SummedAreaTable {
   void build(const gl::Texture& channels, SatPrecision precision,
              std::span<const ChannelRange> ranges);
 
-  // One node more a side than the map has texels: node (x, y) is the sum of the texels left of x
-  // and above y. 32-bit integers, or the bits of 32-bit floats. A last row more holds what was
-  // subtracted from each texel, at its node 0.
+  // The table has one node more a side than the map has texels: node (x, y) is the sum of the
+  // texels left of x and above y, as 32-bit integers or the bits of 32-bit floats. Node 0 of one
+  // more row holds the values that were subtracted from each texel.
   const gl::Texture& texture() const { return table_; }
-  // Of so many channels on maps of so many texels a side: the table and what it is made with.
+  // The bytes of the table of a square map of `size` texels a side, `texelBytes` a texel, with all
+  // that it takes to make it.
   static std::size_t bytes(std::size_t texelBytes, int size);
 
   void releaseGraphicsResources();
@@ -39,7 +40,7 @@ class SummedAreaTable {
   gl::Texture table_, scratch_, centres_;
 };
 
-// As SatRead.glsl and SatSums.comp.glsl count them.
+// The number by which SatRead.glsl and SatSums.comp.glsl know it.
 int satPrecisionNumber(SatPrecision precision);
 
 }  // namespace umbra

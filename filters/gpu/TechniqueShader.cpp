@@ -40,7 +40,7 @@ void setParameter(GLuint program, const Parameter& parameter) {
   }
 }
 
-// As ShadowMapRead.glsl counts them.
+// The number by which ShadowMapRead.glsl knows it.
 int filterNumber(ReadFilter filter) {
   switch (filter) {
     case ReadFilter::Point:

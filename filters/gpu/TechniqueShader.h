@@ -27,7 +27,7 @@ struct MapReads {
   ReadFilter filter = ReadFilter::Bilinear;
   int samples = 1;                                    // depths a texel
   int cascades = 1;                                   // maps
-  SatPrecision satPrecision = SatPrecision::Centred;  // of the table, where one is read
+  SatPrecision satPrecision = SatPrecision::Centred;  // of the table that reads use, if any
   // Left, top and side of each cascade's window in the whole light's (u, v).
   std::array<Eigen::Vector3f, CascadeSettings::largestCount> windows{
       Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero(),
@@ -45,18 +45,19 @@ bool readsLevels(ReadFilter filter);
 // channel's range, whatever it was made from.
 StorageFormat readFormat(StorageFormat stored, const MapReads& reads);
 
-// What ShadowMapRead.glsl asks for, that text, the filter's, and the technique's; no #version and
-// no main. Its samplers are umbraDepthMap, umbraChannelMap and, with mip levels, umbraMipMap, with
-// a table umbraSat.
+// A shader's text: what ShadowMapRead.glsl asks for, that file, the filter's reads, and the
+// technique. It has no #version and no main. Its samplers are umbraDepthMap and umbraChannelMap,
+// umbraMipMap with mip levels, and umbraSat with a table.
 std::string techniqueSource(const Technique& technique, const MapReads& reads);
-// The same as a whole compute shader, around `body` with its main.
+// The same as a whole compute shader; `body` holds its main.
 std::string computeSource(const Technique& technique, const MapReads& reads,
                           const std::string& body);
 
-// Parameters, derived uniforms and the channel ranges of what is read. Does not bind the program.
+// Sets parameters, derived uniforms and the ranges of the channels that are read. Does not bind the
+// program.
 void setTechniqueUniforms(GLuint program, Technique& technique, StorageFormat format);
 void setReadUniforms(GLuint program, const MapReads& reads);
-// From the centre outwards: radius + 1 floats.
+// The kernel's weights from the centre outwards: radius + 1 floats.
 std::vector<float> halfWeights(const Kernel& kernel);
 
 }  // namespace umbra

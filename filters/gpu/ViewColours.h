@@ -10,15 +10,15 @@ namespace umbra {
 
 using ViewColour = std::array<float, 3>;
 
-// Signed error, shown over [−1, 1]: neutral at 0, red where light bleeds, blue where too dark.
-// Neutral is white; the picture dims it a little by the surface's own shading.
+// Signed error, shown over [−1, 1]: neutral at 0, red where light bleeds, blue where it is too
+// dark. Neutral is white; the picture dims it a little by the surface's own shading.
 inline constexpr ViewColour noErrorColour{1.0f, 1.0f, 1.0f};
 inline constexpr ViewColour bleedingColour{0.79f, 0.0f, 0.12f};
 inline constexpr ViewColour darkeningColour{0.02f, 0.31f, 0.73f};
-// The error whose colour is full.
+// The error that has its full colour.
 inline constexpr float fullError = 1.0f;
 
-// Of layers, from the light outwards, in turn: neighbours differ in hue and lightness.
+// The colours of layers, from the light outwards, in turn: neighbours differ in hue and lightness.
 inline constexpr std::array<ViewColour, 8> layerColours{{{0.99f, 0.86f, 0.55f},
                                                          {0.45f, 0.68f, 0.82f},
                                                          {0.93f, 0.66f, 0.51f},
@@ -28,7 +28,7 @@ inline constexpr std::array<ViewColour, 8> layerColours{{{0.99f, 0.86f, 0.55f},
                                                          {0.48f, 0.60f, 0.72f},
                                                          {0.90f, 0.74f, 0.80f}}};
 
-// Of cascades, from the camera outwards.
+// The colours of cascades, from the camera outwards.
 inline constexpr std::array<ViewColour, 4> cascadeColours{
     {{0.98f, 0.80f, 0.36f}, {0.47f, 0.76f, 0.52f}, {0.42f, 0.63f, 0.87f}, {0.74f, 0.55f, 0.82f}}};
 

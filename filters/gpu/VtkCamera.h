@@ -1,4 +1,4 @@
-// Cameras of VTK as the program has them.
+// Converts VTK's cameras to the program's.
 #pragma once
 
 #include "filters/core/scene/Camera.h"
@@ -7,7 +7,7 @@ class vtkCamera;
 
 namespace umbra {
 
-// Where it stands and looks, as an interactor may have moved it.
+// The camera's position and view, which an interactor may have moved.
 Camera cameraOf(vtkCamera& camera);
 
 }  // namespace umbra

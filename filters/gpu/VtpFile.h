@@ -7,9 +7,9 @@
 
 namespace umbra {
 
-// XML, its arrays appended in binary: point data and cell data by the fields' names, "bleeding"
-// active; cell data "object", and field data "objects", their names in that order. Throws
-// BadOutput; what stood at `file` stays then.
+// Writes XML with its arrays appended in binary: point data and cell data under the fields' names,
+// with "bleeding" active, cell data "object", and field data "objects" with the objects' names in
+// that order. Throws BadOutput, and leaves an earlier `file` as it is then.
 void writeVtp(const FieldMesh& mesh, const std::filesystem::path& file);
 
 }  // namespace umbra

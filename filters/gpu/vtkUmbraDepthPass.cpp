@@ -23,7 +23,8 @@ namespace {
 
 constexpr GLenum depthFormat = GL_DEPTH_COMPONENT32F;
 
-// How many samples a texel multisampled textures of this format can have, the largest first.
+// How many samples a texel multisampled textures of this format can have; the largest number is
+// first.
 std::vector<int> sampleCounts(GLenum format) {
   GLint count = 0;
   glGetInternalformativ(GL_TEXTURE_2D_MULTISAMPLE, format, GL_NUM_SAMPLE_COUNTS, 1, &count);
@@ -45,7 +46,7 @@ int vtkUmbraDepthPass::SamplesGiven(int asked) {
   if (asked <= 1) return 1;
   const std::vector<int> colour = sampleCounts(GL_R32F), depth = sampleCounts(depthFormat);
   int given = 1;
-  for (int count : colour) {  // the largest first
+  for (int count : colour) {  // the largest number is first
     if (std::find(depth.begin(), depth.end(), count) == depth.end()) continue;
     if (given == 1 || count >= asked) given = count;
   }
@@ -119,7 +120,7 @@ void vtkUmbraDepthPass::DrawCaster(vtkRenderer* renderer, vtkOpenGLState* gl) {
   gl->vtkglViewport(0, 0, this->Target->width(), this->Target->height());
   // What lies before the near plane still casts its shadow, with depth 0.
   glEnable(GL_DEPTH_CLAMP);
-  // Each sample has a depth of its own, that of its own place.
+  // Each sample has the depth of its own place.
   glMinSampleShading(1.0f);
   if (this->Samples > 1) glEnable(GL_SAMPLE_SHADING);
   vtkProp* props[] = {this->Caster};

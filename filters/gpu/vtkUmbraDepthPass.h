@@ -18,13 +18,14 @@ class vtkUmbraDepthPass : public vtkOpenGLRenderPass {
   static vtkUmbraDepthPass* New();
   vtkTypeMacro(vtkUmbraDepthPass, vtkOpenGLRenderPass);
 
-  // In world coordinates; must outlive the next Render.
+  // The caster is in world coordinates and must outlive the next Render.
   void SetCaster(vtkProp* caster) { this->Caster = caster; }
   void SetLightFrame(const LightFrame& frame) { this->Frame = frame; }
-  // 32-bit float, one channel. Gets linear depth in [0,1], top row first, 1 where nothing is: an
-  // array's layers from `firstLayer` on, one for each sample of a texel; a plain texture has one.
+  // The target has 32-bit floats of one channel. It gets linear depth in [0,1], top row first, 1
+  // where nothing is. In an array, layers from `firstLayer` on are written, one for each sample of
+  // a texel; a plain texture gets one sample.
   void SetTarget(const gl::Texture* target, int firstLayer = 0);
-  // A number of samples that the driver has (SamplesGiven).
+  // `samples` must be a number that the driver has (SamplesGiven).
   void SetSamples(int samples) { this->Samples = samples; }
 
   // How many samples a texel the driver gives where `asked` are asked for: the next number that it
@@ -56,7 +57,7 @@ class vtkUmbraDepthPass : public vtkOpenGLRenderPass {
   int FirstLayer = 0;
   int Samples = 1;
   gl::Texture DepthBuffer;
-  // Only with several samples: all of a texel's, before they go to their layers.
+  // Used only with several samples: all samples of a texel, before they go to their layers.
   gl::MultisampleTexture SampleDepths, SampleDepthBuffer;
   gl::FramebufferHandle Framebuffer;
   gl::ProgramCache Programs;

@@ -31,7 +31,7 @@ vtkOpenGLRenderWindow* windowOf(vtkRenderer* renderer) {
   return static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
 }
 
-// As View.frag.glsl counts them. A technique without layers has nothing to tint.
+// The number by which View.frag.glsl knows it. A technique without layers has nothing to tint.
 int viewNumber(ViewMode view, const Technique& technique) {
   switch (view) {
     case ViewMode::Shaded:
@@ -55,7 +55,7 @@ bool sameFrame(const LightFrame& a, const LightFrame& b) {
          a.nearDistance == b.nearDistance && a.farDistance == b.farDistance;
 }
 
-// A summed-area table averages the kernel's box by itself.
+// A summed-area table averages the kernel's box by itself, so nothing is prefiltered.
 Kernel blurOf(const FrameSettings& settings) {
   const bool summed = settings.read.filter == ReadFilter::SummedArea;
   return summed ? Kernel{KernelShape::None, 0} : settings.kernel;
@@ -178,7 +178,7 @@ const std::vector<Cascade>& vtkUmbraFramePass::FitCascades(vtkRenderer* renderer
   return this->Cascades;
 }
 
-// What bears on distances and was left to the scene.
+// Fills in the distances that the settings leave to the scene.
 FrameSettings vtkUmbraFramePass::SettledSettings() const {
   FrameSettings settled = this->Settings;
   if (settled.read.satDistance == 0.0) settled.read.satDistance = this->Bounds.diagonal().norm();
@@ -235,7 +235,7 @@ std::vector<double> vtkUmbraFramePass::GetAdaptedSplits() const {
   return this->Relaxer.splits();
 }
 
-// Draws the cascades whose windows are not those that they were drawn from last.
+// Draws the cascades whose windows have changed since they were drawn.
 void vtkUmbraFramePass::BakeDepth(const vtkRenderState* state) {
   const std::size_t count = this->Cascades.size();
   if (this->Stale == Stage::Depth || this->Drawn.size() != count) {
@@ -273,14 +273,14 @@ void vtkUmbraFramePass::DrawDepth(const vtkRenderState* state, std::size_t casca
 void vtkUmbraFramePass::CullInsides(vtkRenderer* renderer) {
   vtkCamera* camera = renderer->GetActiveCamera();
   for (const auto& body : this->ClosedBodies) {
-    // From within, and where the near plane may cut a body open, its inside is to be seen.
+    // From within, and where the near plane may cut a body open, its inside must be seen.
     vtkBoundingBox bounds(body->GetBounds());
     bounds.Inflate(2.0 * camera->GetClippingRange()[0]);
     body->GetProperty()->SetBackfaceCulling(!bounds.ContainsPoint(camera->GetPosition()));
   }
 }
 
-// Copies picture and depth as they are, where the window's buffers are of the same kind.
+// Copies picture and depth unchanged, where the window's buffers are of the same kind.
 bool vtkUmbraFramePass::CopyShaded(vtkRenderer* renderer) {
   if (viewNumber(this->Settings.view, *this->Adapted) != 0 || renderer->GetGradientBackground())
     return false;
@@ -307,7 +307,7 @@ void vtkUmbraFramePass::Show(vtkRenderer* renderer) {
   const vtkOpenGLState::ScopedglEnableDisable cull(gl, GL_CULL_FACE);
   gl->vtkglDisable(GL_BLEND);
   gl->vtkglDisable(GL_CULL_FACE);
-  gl->vtkglEnable(GL_DEPTH_TEST);  // nothing is written to the depth buffer without
+  gl->vtkglEnable(GL_DEPTH_TEST);  // without the test nothing is written to the depth buffer
   gl->vtkglDepthFunc(GL_ALWAYS);
   gl->vtkglDepthMask(GL_TRUE);
 

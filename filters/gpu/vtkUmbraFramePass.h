@@ -1,5 +1,5 @@
-// The whole frame: bakes what is stale, shades the scene, shows the asked view of it, and draws
-// everybody else's props over it.
+// The whole frame: it bakes what is stale, shades the scene, shows the view mode that is set, and
+// draws all other props over it.
 #pragma once
 
 #include <vtkRenderPass.h>
@@ -32,21 +32,21 @@ class vtkUmbraFramePass : public vtkRenderPass {
   static vtkUmbraFramePass* New();
   vtkTypeMacro(vtkUmbraFramePass, vtkRenderPass);
 
-  // Each makes stale what depends on it and no more.
+  // Each of these makes stale what depends on it, and no more.
   void SetScene(const SceneActors& actors);
-  // The frame is fitted to `bounds` (world): the view of them is what cascades split.
+  // The frame is fitted to `bounds` (world); cascades split the view of these bounds.
   void SetLightFrame(const LightFrame& frame, const Eigen::AlignedBox3d& bounds);
   void SetSettings(const FrameSettings& settings);
   void SetTechnique(const Technique& technique);
 
-  // How splits that follow the map come to rest: converged unless it is set.
+  // Sets how splits that follow the map come to rest. The default is Converged.
   void SetSplitPace(SplitPace pace) { this->Pace = pace; }
-  // Whether another frame would move them.
+  // Whether another frame would move splits.
   bool SplitsMoving() const;
-  // Ascending, of the last frame; none where the technique's do not follow the map.
+  // The last frame's splits, ascending; empty where the technique's do not follow the map.
   std::vector<double> GetAdaptedSplits() const;
 
-  // Never throws: an error ends the frame and waits for RethrowError.
+  // It never throws: an error ends the frame and waits for RethrowError.
   void Render(const vtkRenderState* state) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
   void RethrowError();
@@ -57,8 +57,8 @@ class vtkUmbraFramePass : public vtkRenderPass {
   const LightFrame& GetLightFrame() const { return this->Frame; }
   // Whether a frame was drawn whose maps and pictures still exist.
   bool HasFrame() const { return this->FrameDrawn; }
-  // Fits the cascades to the renderer's camera as it is now, or to the frozen one; each frame does
-  // it by itself.
+  // Fits the cascades to the renderer's camera as it is now, or to the frozen one. Each frame does
+  // so by itself.
   const std::vector<Cascade>& FitCascades(vtkRenderer* renderer);
   const std::vector<Cascade>& GetCascades() const { return this->Cascades; }
   const FrameSettings& GetSettings() const { return this->Settings; }
@@ -71,7 +71,7 @@ class vtkUmbraFramePass : public vtkRenderPass {
   ~vtkUmbraFramePass() override;
 
  private:
-  // What has to be done again, with everything after it.
+  // The stage that has to be done again, with every stage after it.
   enum class Stage { Depth, Encode, Prefilter, Nothing };
   void MakeStale(Stage stage) { this->Stale = std::min(this->Stale, stage); }
 
@@ -81,7 +81,7 @@ class vtkUmbraFramePass : public vtkRenderPass {
   void RelaxSplits();
   void DrawDepth(const vtkRenderState* state, std::size_t cascade);
   FrameSettings SettledSettings() const;
-  MapReads Reads() const;  // of the maps as they are baked
+  MapReads Reads() const;  // reads of the maps as they are baked
   void CullInsides(vtkRenderer* renderer);
   void Show(vtkRenderer* renderer);
   bool CopyShaded(vtkRenderer* renderer);
@@ -90,7 +90,7 @@ class vtkUmbraFramePass : public vtkRenderPass {
   vtkSmartPointer<vtkUmbraShadingPass> Shading;
   vtkSmartPointer<vtkDefaultPass> Others;  // draws the props that are not the scene's
   ChannelBaker Baker;
-  SplitRelaxer Relaxer;  // of the first cascade's map
+  SplitRelaxer Relaxer;  // works on the first cascade's map
   SplitPace Pace = SplitPace::Converged;
   gl::ProgramCache Programs;
   gl::VertexArrayHandle NoVertices;
@@ -103,14 +103,15 @@ class vtkUmbraFramePass : public vtkRenderPass {
   Eigen::AlignedBox3d Bounds;
   bool HasLightFrame = false;
   std::vector<Cascade> Cascades;
-  std::vector<LightFrame> Drawn;  // what each cascade's depths were drawn from
+  std::vector<LightFrame> Drawn;  // the frame from which each cascade's depths were drawn
   FrameSettings Settings;
   std::unique_ptr<Technique> Asked;    // as it was set
   std::unique_ptr<Technique> Adapted;  // to the depth map and the format
   Stage Stale = Stage::Depth;
-  std::vector<std::optional<DepthMap>> DepthValues;  // of each cascade, read back once per bake
+  // One for each cascade, read back once per bake.
+  std::vector<std::optional<DepthMap>> DepthValues;
   bool FrameDrawn = false;
-  MapReads DrawnReads;  // of that frame
+  MapReads DrawnReads;  // the reads of the last frame
   std::exception_ptr Error;
 };
 

@@ -25,7 +25,7 @@ namespace {
 
 constexpr GLenum drawBuffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2};
 
-// Grounds and walls lie behind what stands before them: drawn last, most of them is hidden and
+// Grounds and walls lie behind other objects: when they are drawn last, most of them is hidden and
 // never shaded.
 std::vector<vtkProp*> smallestFirst(const vtkRenderState* state) {
   vtkProp** first = state->GetPropArray();
@@ -88,7 +88,7 @@ void vtkUmbraShadingPass::PrepareFramebuffer(vtkRenderer* renderer, int width, i
     this->Footprints.require(GL_RGBA32F, width, height);
   else
     this->Footprints = gl::Texture();
-  // As the window's, so that it can be copied there.
+  // The format is the window's, so that the picture can be copied there.
   GLint window = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &window);
   const GLenum depth = gl::depthFormatOf(GLuint(window));
@@ -172,11 +172,12 @@ void vtkUmbraShadingPass::ReleaseGraphicsResources(vtkWindow* window) {
 bool vtkUmbraShadingPass::PreReplaceShaderValues(std::string&, std::string&,
                                                  std::string& fragmentShader, vtkAbstractMapper*,
                                                  vtkProp*) {
-  // Tables of sums are bits, and VTK's shaders are of an older language than has them.
+  // Tables of sums are bits, and the language version of VTK's shaders has no functions to read
+  // them as floats.
   vtkShaderProgram::Substitute(
       fragmentShader, "//VTK::System::Dec",
       "//VTK::System::Dec\n#extension GL_ARB_shader_bit_encoding : enable\n", false);
-  // The mapper then replaces the markers that stay in the text by its own lighting.
+  // The mapper then replaces the markers that the text still has by its own lighting.
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::Light::Dec",
                                this->Declarations + "\n//VTK::Light::Dec\n", false);
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::Light::Impl",

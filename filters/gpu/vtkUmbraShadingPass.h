@@ -26,10 +26,11 @@ class vtkUmbraShadingPass : public vtkOpenGLRenderPass {
 
   // All of these must outlive the next Render.
   void SetTechnique(Technique* technique) { this->Shaded = technique; }
-  // `filtered` are the channels' mip levels or summed-area table; read only where the filter does.
+  // `filtered` holds the channels' mip levels or summed-area table; it is read only where the
+  // filter needs it.
   void SetMaps(const gl::Texture* depth, const gl::Texture* channels, const gl::Texture* filtered);
   void SetReads(const MapReads& reads) { this->Reads = reads; }
-  // As many as the reads have; their seams are the settings'.
+  // There are as many as the reads have; their seams are the settings'.
   void SetCascades(const std::vector<Cascade>& cascades) { this->Cascades = cascades; }
   void SetLightFrame(const LightFrame& frame) { this->Frame = frame; }
   void SetSettings(const FrameSettings& settings) { this->Settings = settings; }
@@ -44,7 +45,7 @@ class vtkUmbraShadingPass : public vtkOpenGLRenderPass {
   const gl::Texture& GetSurfaces() const { return this->Surfaces; }  // u, v, z_r, visibility
   // x, y, probes, cascade + weight of the next; written only where the reads need footprints.
   const gl::Texture& GetFootprints() const { return this->Footprints; }
-  const gl::Texture& GetDepth() const { return this->Depth; }  // of the camera, [0,1]
+  const gl::Texture& GetDepth() const { return this->Depth; }  // the camera's, [0,1]
   GLuint GetFramebuffer() const { return this->Framebuffer.name(); }
 
   bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
@@ -55,7 +56,7 @@ class vtkUmbraShadingPass : public vtkOpenGLRenderPass {
                                vtkProp* prop) override;
   bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
                            vtkOpenGLVertexArrayObject* vao) override;
-  // New when the injected text is: mappers rebuild their shaders then, and only then.
+  // The time is new when the injected text is: mappers rebuild their shaders then, and only then.
   vtkMTimeType GetShaderStageMTime() override { return this->TextTime.GetMTime(); }
 
  protected:
@@ -78,8 +79,8 @@ class vtkUmbraShadingPass : public vtkOpenGLRenderPass {
   MapReads Reads;
   std::vector<Cascade> Cascades;
   Eigen::Matrix4f ViewToLight = Eigen::Matrix4f::Identity();
-  Eigen::Vector4f ToLight = Eigen::Vector4f::UnitZ();   // as ShadeDeclarations.glsl has it
-  Eigen::Vector4f SplitPlane{0.0f, 0.0f, -1.0f, 0.0f};  // likewise
+  Eigen::Vector4f ToLight = Eigen::Vector4f::UnitZ();   // for ShadeDeclarations.glsl
+  Eigen::Vector4f SplitPlane{0.0f, 0.0f, -1.0f, 0.0f};  // for ShadeDeclarations.glsl
   int DepthUnit = 0, ChannelUnit = 1, FilteredUnit = 2;
 
   gl::Texture Colour, Surfaces, Footprints, Depth;

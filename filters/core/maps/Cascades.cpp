@@ -12,12 +12,13 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// Four steps to a doubling.
+// A window's side grows in steps, four to a doubling.
 constexpr double stepsPerOctave = 4.0;
-// From among the bounds the logarithmic cut would begin at 0, where no logarithm is; a hundredth of
-// the range is as near as details are looked at.
+// Where the camera stands among the bounds, the logarithmic cut cannot begin at distance 0, whose
+// logarithm is infinite. It begins at this part of the range: nobody looks at details from nearer.
 constexpr double nearestPart = 0.01;
-// Single precision leaves hundredths of a texel of a map of a thousand in so small a window.
+// The smallest side of a window. In a window so small, single precision is still exact to
+// hundredths of a texel of a map of a thousand texels a side.
 constexpr double smallestSide = 1.0 / 256.0;
 
 double stepAbove(double value) {
@@ -37,7 +38,7 @@ struct View {
     tangentY = std::tan(0.5 * camera.viewAngle * std::numbers::pi / 180.0);
     tangentX = aspect * tangentY;
   }
-  // Of the angle to a corner of the picture, squared.
+  // The squared tangent of the angle between the axis and a corner of the picture.
   double cornerTangent2() const { return tangentX * tangentX + tangentY * tangentY; }
 
   Vector3d position, forward, right, up;
@@ -48,8 +49,8 @@ struct Range {
   double near = 0.0, far = 0.0;
 };
 
-// Distances along the axis between which the view holds bounds, however the camera turns about its
-// position.
+// The distances along the axis between which the view holds parts of the bounds, however the camera
+// turns about its position.
 Range rangeOf(const View& view, const Eigen::AlignedBox3d& bounds) {
   double farthest = 0.0;
   for (int corner = 0; corner < 8; ++corner)
@@ -67,8 +68,8 @@ struct Sphere {
   double radius = 0.0;
 };
 
-// The smallest about a part of the view with its centre on the axis. Its radius and its place
-// before the camera do not change as the camera turns.
+// The smallest sphere about a part of the view, with its centre on the view's axis. Its radius and
+// its distance from the camera do not change as the camera turns.
 Sphere sphereAbout(const View& view, const Range& part) {
   const double t2 = view.cornerTangent2();
   const double middle = std::min(part.far, 0.5 * (part.near + part.far) * (1.0 + t2));
@@ -90,10 +91,10 @@ std::array<Vector3d, 8> cornersOf(const View& view, const Range& part) {
   return corners;
 }
 
-// Of the whole map, in its (u, v).
+// A square part of the whole map, in the whole map's (u, v).
 struct Window {
   Vector2d centre = Vector2d::Constant(0.5);
-  double side = std::numeric_limits<double>::infinity();  // no window: the whole map
+  double side = std::numeric_limits<double>::infinity();  // infinite: the whole map
 };
 
 Window windowAbout(const Sphere& sphere, const LightFrame& light) {
@@ -102,13 +103,14 @@ Window windowAbout(const Sphere& sphere, const LightFrame& light) {
   return {{centre.u, centre.v}, sphere.radius * std::abs(light.lightToClip(0, 0))};
 }
 
-// A spot light spreads what is near: no sphere keeps its size on the map. Points outside the cone's
-// square are not lit and need no place.
+// A spot light enlarges what is near to it, so that a sphere does not keep its size on the map: the
+// window follows the corners of the part. Points outside the cone's square are not lit and need no
+// room.
 Window windowAbout(const std::array<Vector3d, 8>& corners, const LightFrame& light) {
   Eigen::AlignedBox2d box;
   for (const Vector3d& corner : corners) {
     const Vector3d point = (light.worldToLight * corner.homogeneous()).head<3>();
-    if (-point.z() <= 0.0) return {};  // reaches behind the light
+    if (-point.z() <= 0.0) return {};  // the part reaches behind the light
     const LightPoint projected = light.project(corner);
     box.extend(Vector2d(projected.u, projected.v));
   }

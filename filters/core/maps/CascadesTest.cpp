@@ -101,8 +101,8 @@ TEST_P(CascadesOf, TheyFollowEachOtherThroughTheWholeRange) {
   }
 }
 
-// Whatever the camera sees of the street is in the window of its part, with its seam and the reach
-// of a filter, unless it lies outside the whole map.
+// What the camera sees of the street lies in the window of its part, together with its seam and the
+// reach of a filter, unless it lies outside the whole map.
 TEST_P(CascadesOf, AWindowHoldsItsPartOfTheView) {
   std::mt19937 random(7);
   const LightFrame frame = frameOf(GetParam());
@@ -112,12 +112,12 @@ TEST_P(CascadesOf, AWindowHoldsItsPartOfTheView) {
   for (int i = 0; i < 60; ++i) {
     Camera camera = walker();
     for (int axis = 0; axis < 3; ++axis) camera.position[axis] += uniform(random, -1.5, 1.5);
-    camera.position.z() += i % 3 == 0 ? 30.0 : 0.0;  // before the street
+    camera.position.z() += i % 3 == 0 ? 30.0 : 0.0;  // the camera stands before the street
     turn(camera, uniform(random, -60.0, 60.0));
     const MapSettings map = mapWith(2 + i % 3, seam);
     const auto cascades = fitCascades(frame, camera, aspect, street, map, reach);
     const Vector3d forward = (camera.target - camera.position).normalized();
-    const auto corners = viewCorners(camera, aspect, 0.0, 1.0);  // the far ones are directions
+    const auto corners = viewCorners(camera, aspect, 0.0, 1.0);  // the far corners are directions
     for (int k = 0; k < 400; ++k) {
       const double x = uniform(random, 0, 1), y = uniform(random, 0, 1),
                    distance = cascades.back().farDistance * std::pow(uniform(random, 0, 1), 2.0);

@@ -8,8 +8,9 @@
 
 namespace umbra {
 
-// Pixel (x, y) has x to the right and y down, from 0, as in an OpenEXR file. Shadow-map textures
-// on the GPU have the same orientation: their row 0 is the top row (see LightFrame.h).
+// Pixel (x, y) has x to the right and y down, from 0, as in an OpenEXR file. Shadow-map textures on
+// the GPU have the same orientation: their row 0 is the top row (filters/core/scene/Light.h says
+// why).
 template <class T>
 class Image {
  public:

@@ -7,9 +7,9 @@
 
 namespace umbra {
 
-// A bilinear read of one level. Level 0 is the prefiltered map, of width × height texels; with P
-// the next power of two of the longer side, level L ≥ 1 has P >> L texels a side, and its texel i
-// reduces the texels [i·2^L, (i+1)·2^L) of level 0, of which those beyond the edge repeat it.
+// A bilinear read of one level. Level 0 is the prefiltered map, of width × height texels. With P
+// the next power of two of the longer side, level L ≥ 1 has P >> L texels a side; its texel i
+// reduces the texels [i·2^L, (i+1)·2^L) of level 0. Texels beyond the map's edge repeat the edge.
 struct LevelRead {
   int level = 0;
   // The two texels of the level that are mixed along either axis, clamped to it, and the weight of
@@ -19,11 +19,11 @@ struct LevelRead {
   double weight = 1.0;  // of this read among all of them; these sum to 1
 };
 
-// Of levels above the map itself: the last one is a single texel.
+// The number of levels above the map itself; the last one is a single texel.
 int mipLevels(int width, int height);
 
-// Two levels for each probe of a trilinear or anisotropic read; one where λ is a whole number.
-// λ = log2(footprint / probes), from 0 to the last level.
+// The reads of the levels for a trilinear or anisotropic read: two levels for each probe, or one
+// where λ is a whole number. λ = log2(footprint / probes), limited to 0 … the last level.
 std::vector<LevelRead> levelReadsOf(const ReadPoint& read, int width, int height);
 
 }  // namespace umbra

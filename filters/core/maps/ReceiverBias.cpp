@@ -6,7 +6,8 @@
 namespace umbra {
 namespace {
 
-// From a read's position to the farthest centre of the texels that it averages along either axis.
+// How far the centres of the texels that a read averages lie from its position, at most, along
+// either axis.
 double reachOf(const FrameSettings& frame) {
   return frame.kernel.effectiveRadius() + (frame.read.filter == ReadFilter::Point ? 0.5 : 1.0);
 }

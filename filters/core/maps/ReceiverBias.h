@@ -8,14 +8,14 @@
 
 namespace umbra {
 
-// By how much the normalised depth of the plane through `world` with this normal (of any length,
-// either way) changes from one texel of the whole light's map to the next along x and y; absolute
-// values.
+// How much the normalised depth of the plane through `world` with this normal (of any length,
+// either way) changes from one texel of the whole light's map to the next, along x and along y;
+// absolute values.
 Eigen::Vector2d depthPerTexel(const LightFrame& light, int mapSize, const Eigen::Vector3d& world,
                               const Eigen::Vector3d& normal);
 
-// Of a frame with one map, read where reads cover as much whatever the picture: point, bilinear, or
-// a summed-area table of fixed size.
+// The bias in a frame with one map whose reads cover the same number of texels whatever the
+// picture: point reads, bilinear reads, or a summed-area table of fixed size.
 class ReceiverBias {
  public:
   // A plane seen edge-on gains depth without bound from texel to texel: the slope's part of the
@@ -30,7 +30,7 @@ class ReceiverBias {
  private:
   LightFrame light_;
   int mapSize_;
-  double constant_, texels_;  // texels of the slope that are subtracted
+  double constant_, texels_;  // how many texels' gain of depth is subtracted
 };
 
 }  // namespace umbra

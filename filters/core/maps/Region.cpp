@@ -11,13 +11,14 @@
 namespace umbra {
 namespace {
 
-// The samples of texel (x, y), which share `weight`.
+// Adds every sample of texel (x, y); together they have `weight`.
 void addTexel(Region& region, const DepthMap& map, int x, int y, double weight) {
   for (int sample = 0; sample < map.channels(); ++sample)
     region.texels.push_back({x, y, map(x, y, sample), weight / map.channels(), 0});
 }
 
-// Taps `x0 … x0+wx.size()-1` by `y0 …`, weights the outer product of `wx` and `wy`.
+// Adds the taps `x0 … x0+wx.size()-1` by `y0 …`; their weights are the outer product of `wx` and
+// `wy`.
 void addTaps(Region& region, const DepthMap& map, int x0, int y0, const std::vector<double>& wx,
              const std::vector<double>& wy) {
   region.texels.reserve(wx.size() * wy.size() * map.channels());
@@ -46,7 +47,7 @@ int texelAt(double u, int size) {
   return u == 1.0 ? size - 1 : int(std::floor(u * size));
 }
 
-// Without taps. The texel nearest to (u, v) is the one that holds it.
+// A region without taps. The texel nearest to (u, v) is the one that holds it.
 Region emptyRegion(const DepthMap& map, const Kernel& kernel, double u, double v) {
   const int x = std::clamp(int(std::floor(u * map.width())), 0, map.width() - 1);
   const int y = std::clamp(int(std::floor(v * map.height())), 0, map.height() - 1);
@@ -62,8 +63,8 @@ struct AxisWeights {
   int end() const { return first + int(weights.size()); }
 };
 
-// A bilinear read of a mip level, as weights of the depth map's texels: the kernel about every
-// prefiltered texel of the two blocks. Both repeat at the map's edge, one after the other.
+// A bilinear read of a mip level, as weights of the depth map's texels: the kernel is applied about
+// every prefiltered texel of the two blocks. Both the blocks and the kernel repeat the map's edge.
 AxisWeights levelWeights(const int (&texels)[2], double mix, int level, int size,
                          const std::vector<double>& kernel) {
   const int r = int(kernel.size()) / 2, block = 1 << level;
@@ -86,7 +87,7 @@ struct Rectangle {
   double weight = 1.0;
 };
 
-// The sum of the rectangles, each texel once.
+// Adds up the weights of all rectangles, so that each texel occurs once.
 void addRectangles(Region& region, const DepthMap& map, const std::vector<Rectangle>& rectangles) {
   int left = map.width(), right = 0, top = map.height(), bottom = 0;
   for (const Rectangle& r : rectangles) {

@@ -9,12 +9,12 @@
 
 namespace umbra {
 
-// What one pixel of the picture covers of the map.
+// The part of the map that one pixel of the picture covers.
 struct Footprint {
-  // Texels. Trilinear, anisotropic: the footprint's longer axis. Summed-area table: the box's width
-  // and height.
+  // Texels. For a trilinear or anisotropic read this is the footprint's longer axis, for a
+  // summed-area table the box's width and height.
   double x = 0.0, y = 0.0;
-  int probes = 1;  // trilinear reads along the axis; 1 for a trilinear filter
+  int probes = 1;  // trilinear reads along the axis; 1 for a trilinear read
 
   bool operator==(const Footprint&) const = default;
 };
@@ -29,10 +29,10 @@ struct ReadPoint {
 };
 
 struct RegionTexel {
-  int x = 0, y = 0;     // pixel in the depth map, after clamping to the border
+  int x = 0, y = 0;     // texel of the depth map, after clamping to the border
   double depth = 0.0;   // [0,1]
   double weight = 0.0;  // the weights of a region sum to 1
-  int cascade = 0;      // of whose map it is a texel
+  int cascade = 0;      // the cascade whose map has the texel
 };
 
 struct Region {
@@ -41,10 +41,11 @@ struct Region {
   // Row by row. A tap beyond the border repeats the edge texel, so one pixel may occur twice.
   std::vector<RegionTexel> texels;
   double nearestDepth = 1.0;  // the depth at (x, y), of its first sample
-  // Taps of one texel stand together, this many: one for each sample, of equal weight.
+  // The taps of one texel follow each other: this many, one for each sample, of equal weight.
   int samples = 1;
-  // Texels on either side of (x, y) that are among the taps wherever between texels the read is,
-  // but for the map's end: the kernel's radius, or that of a summed-area table's box.
+  // How many texels on either side of (x, y) are among the taps, wherever between texels the read
+  // is: the kernel's radius, or half of a summed-area table's box. Only the map's border cuts them
+  // off.
   int reachX = 0, reachY = 0;
 };
 
@@ -56,12 +57,13 @@ Region regionAtTexel(const DepthMap& map, const Kernel& kernel, int x, int y);
 // top-left corner: the kernel convolved with the bilinear weights.
 Region regionBilinear(const DepthMap& map, const Kernel& kernel, double u, double v);
 
-// The taps that `read` averages, with their weights. A point or bilinear read averages those of the
-// two functions above. A trilinear one mixes two mip levels, each read bilinearly (MipLevels.h); an
-// anisotropic one averages as many of these as the footprint has probes, along its axis: each texel
-// of the map occurs once. A summed-area table averages a box of the footprint's size about (u, v),
-// one texel or wider, texels by the part of them inside; the kernel is not applied beside. A map
-// with several samples a texel gives as many taps a texel. (u, v) is in [0,1].
+// The taps that `read` averages, with their weights. A point or bilinear read averages the taps of
+// the two functions above. A trilinear read mixes two mip levels, each read bilinearly
+// (MipLevels.h). An anisotropic read averages as many trilinear ones as the footprint has probes,
+// along its axis. Each texel of the map occurs once. A summed-area table averages a box of the
+// footprint's size about (u, v), at least one texel wide, and weights a texel by the part of it
+// inside the box; the kernel is not applied as well. A map with several samples a texel gives as
+// many taps a texel. (u, v) is in [0,1].
 Region regionOf(const DepthMap& map, const Kernel& kernel, const ReadPoint& read);
 
 struct RegionStatistics {
@@ -74,7 +76,7 @@ struct RegionStatistics {
 
 RegionStatistics statisticsOf(const Region& region);
 
-// Exact percentage-closer filtering, Σ w [z ≥ receiver]: the truth for every technique.
+// Exact percentage-closer filtering, Σ w [z ≥ receiver]: the reference for every technique.
 double referenceVisibility(const Region& region, double receiver);
 
 }  // namespace umbra

@@ -24,7 +24,7 @@ double totalWeight(const Region& region) {
   return sum;
 }
 
-// The weight that every pixel of the map has in the region.
+// The weight of every pixel of the map in the region.
 std::map<std::pair<int, int>, double> weightsByPixel(const Region& region) {
   std::map<std::pair<int, int>, double> weights;
   for (const RegionTexel& texel : region.texels) weights[{texel.x, texel.y}] += texel.weight;

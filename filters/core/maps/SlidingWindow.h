@@ -1,4 +1,5 @@
-// Windowed reductions along one line of texels, edges repeated. `line` holds n values, in and out.
+// Windowed reductions along one line of texels, edges repeated. Each changes the n values of `line`
+// in place.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Where a surface is read in the shadow map, and what comes of it.
+// Where a surface is read in the shadow map, and the visibility there.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,7 +7,8 @@
 
 namespace umbra {
 
-// What the shaded frame knows of the surface in one of its pixels, or would know of it there.
+// What the shaded frame knows of the surface that one of its pixels shows, or would know of a
+// point.
 struct SurfacePoint {
   double u = 0.0, v = 0.0;  // in its cascade's map, [0,1] from the top-left corner, v down
   double receiver = 0.0;    // z_r, biased, [0,1]

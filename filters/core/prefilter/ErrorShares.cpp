@@ -89,7 +89,7 @@ std::string ErrorShares::verdict(double error, const std::string& sentence, doub
   std::string text = std::string(error > 0.0 ? "Too bright" : "Too dark") + " by " +
                      shortNumber(std::abs(error)) + " (" + shortNumber(visibility_) +
                      ", exactly it is " + shortNumber(reference_) + "): " + sentence;
-  // What other causes undo may make a share larger than the error.
+  // Other causes may undo a part of this share, so that it can be larger than the error.
   if (std::abs(amount - error) > 0.05 * std::abs(error))
     text += " This makes " + shortNumber(std::abs(amount)) + " of it.";
   return text;

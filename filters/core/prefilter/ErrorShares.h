@@ -1,5 +1,5 @@
-// Which step of an evaluation makes its visibility wrong: causes are taken away one after the other
-// until the exact visibility is left, and each is charged with what its absence changed.
+// Finds out which step of an evaluation makes its visibility wrong. Causes are taken away one after
+// the other until the exact visibility is left; each is charged with what its absence changed.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace umbra {
 
-// Depths of a region on one side of the receiver. Without weight, all are 0.
+// The depths of a region on one side of the receiver. All members are 0 where these have no weight.
 struct DepthGroup {
   double weight = 0.0;
   double mean = 0.0, min = 0.0, max = 0.0;
@@ -26,8 +26,8 @@ std::string rangeText(const DepthGroup& group);
 
 class ErrorShares {
  public:
-  // `trace` holds all steps, the last one the visibility, and must outlive this. Of steps that were
-  // taken several times, those with `suffix` are meant.
+  // `trace` holds all steps, the last one is the visibility; it must outlive this object. Where
+  // steps occur several times, this object is about those whose symbols end in `suffix`.
   ErrorShares(Trace& trace, const Fetch& fetch, double receiver, std::string suffix = {});
 
   double reference() const { return reference_; }
@@ -37,7 +37,7 @@ class ErrorShares {
   // `symbol` names the step that is to blame, or the last step where there is none of that symbol;
   // `sentence` says why.
   void without(ErrorCause cause, std::string_view symbol, double visibility, std::string sentence);
-  // Whatever is left, up to the exact visibility.
+  // Charges this cause with all that is left between the visibility and the exact one.
   void rest(ErrorCause cause, std::string_view symbol, std::string sentence);
 
   // Sets the trace's cause: the largest share in the error's direction, none for an error below
@@ -53,11 +53,11 @@ class ErrorShares {
   std::string suffix_;
   double visibility_, reference_, left_;
   Occlusion occlusion_;
-  std::vector<std::string> sentences_;  // of the trace's shares
+  std::vector<std::string> sentences_;  // one for each of the trace's shares
 };
 
-// The fetch's channels with the means computed from the region in double; minima and maxima stay,
-// since a read may interpolate them.
+// The fetch's channels, with the means computed from the region in double. Minima and maxima stay
+// as they were read, since a read may interpolate them.
 std::vector<double> exactMeans(const Technique& technique, const Fetch& fetch);
 
 }  // namespace umbra

@@ -13,7 +13,7 @@ double storedIn(const Channel& channel, double value, StorageFormat format) {
   return stored(value, format, channel.low, channel.high);
 }
 
-// Several values of one channel become one, without rounding.
+// Reduces several values of one channel to one, without rounding.
 void gather(const Channel& channel, double& sum, double value, bool first) {
   switch (channel.reduction) {
     case Reduction::Mean:
@@ -28,7 +28,7 @@ void gather(const Channel& channel, double& sum, double value, bool first) {
   }
 }
 
-// One line of texels, reduced in place.
+// Reduces one line of texels in place.
 void reduceLine(std::vector<double>& line, Reduction reduction, const Kernel& kernel,
                 const std::vector<double>& weights) {
   const int r = kernel.effectiveRadius();

@@ -1,4 +1,4 @@
-// The reference prefilter: channels of a whole map encoded, stored and reduced, in double.
+// The reference prefilter: it encodes, stores and reduces the channels of a whole map, in double.
 #pragma once
 
 #include <span>
@@ -10,37 +10,38 @@
 
 namespace umbra {
 
-// Every texel through Technique::encode, rounded to `format`. As many channels as the technique. Of
-// several samples of a texel the encodings' means, minima or maxima, as the channel is reduced.
+// Encodes every texel by Technique::encode and rounds to `format`. The result has the technique's
+// channels. Where a texel has several samples, their encodings are reduced to a mean, minimum or
+// maximum, as the channel is.
 Image<double> encodeMap(const DepthMap& map, const Technique& technique, StorageFormat format);
 
-// Each channel reduced over the kernel's window, edge texels repeated. Means are weighted by the
-// kernel; minima and maxima ignore its weights. The cost per texel does not grow with the radius
-// for box, min and max (van Herk 1992; Gil & Werman 1993). The result is not rounded.
+// Reduces each channel over the kernel's window; edge texels repeat. Means are weighted by the
+// kernel; minima and maxima ignore its weights. For box, minimum and maximum the cost per texel
+// does not grow with the radius (van Herk 1992; Gil & Werman 1993). The result is not rounded.
 Image<double> reduceMap(const Image<double>& channels, std::span<const Channel> layout,
                         const Kernel& kernel);
 
-// `channels` rounded to `format`, each within its own range.
+// Rounds `channels` to `format`, each within its own range.
 void storeMap(Image<double>& channels, std::span<const Channel> layout, StorageFormat format);
 
-// What the technique stores after the prefilter: encoded, stored, reduced, stored.
+// What the technique stores after the prefilter: its channels are encoded, stored, reduced and
+// stored again.
 Image<double> prefilteredMap(const DepthMap& map, const Technique& technique, const Kernel& kernel,
                              StorageFormat format);
 
-// The same for one texel only, straight from the taps of its region (regionAtTexel).
+// The same for one texel only, computed straight from the taps of its region (regionAtTexel).
 std::vector<double> prefilteredRegion(const Region& region, const Technique& technique,
                                       StorageFormat format);
 
-// A bilinear read of the prefiltered map at (u, v) in [0,1] from the top-left corner: the four
-// nearest stored texels mixed, minima and maxima as well, as a texture unit does it.
+// A bilinear read of the prefiltered map at (u, v) in [0,1] from the top-left corner. It mixes the
+// four nearest stored texels, minima and maxima included, as a texture unit does.
 std::vector<double> readBilinear(const DepthMap& map, const Technique& technique,
                                  const Kernel& kernel, StorageFormat format, double u, double v);
 
-// What any read of the technique's channels gives: averages as `regionOf` weighs them; minima and
-// maxima of a mip level are those of its texels, and mixed like other values. Every mip level is
-// rounded to `format` and made from the one below; what is mixed, or read from a table, is not
-// rounded again. Throws BadCommandLine
-// where the read cannot average the technique's channels (see Composition.h).
+// The channels that any read gives. Averages are weighted as in `regionOf`. Minima and maxima of a
+// mip level are those of its texels, and are mixed like other values. Every mip level is rounded to
+// `format` and made from the one below; what is mixed, or read from a table, is not rounded again.
+// Throws BadCommandLine where the read cannot average the technique's channels (see Composition.h).
 std::vector<double> readChannels(const DepthMap& map, const Technique& technique,
                                  const Kernel& kernel, StorageFormat format, const ReadPoint& read);
 

@@ -52,8 +52,8 @@ struct ReduceCase {
 
 class ReduceMap : public testing::TestWithParam<ReduceCase> {};
 
-// Positive values lose only the rounding of their own sums: (2r+1)² terms of relative error 2u
-// each on either side, however large the values were that have left the window.
+// Positive values lose only the rounding of their own sums: (2r+1)² terms, each with a relative
+// error of 2u on either side, however large the values were that have left the window.
 TEST_P(ReduceMap, FollowsTheDefinitionToFullRelativeAccuracy) {
   const auto& [width, height, kernel] = GetParam();
   for (bool exponential : {false, true}) {

@@ -77,7 +77,8 @@ Image<double> halved(const Image<double>& level, std::span<const Channel> layout
   return half;
 }
 
-// Only what the reads need of every level: blocks of the coarsest that they read.
+// Computes of every level only the block that lies under the texels which the reads take of the
+// coarsest one.
 std::vector<double> readLevels(const DepthMap& map, const Technique& technique,
                                const Kernel& kernel, StorageFormat format, const ReadPoint& read) {
   const std::vector<LevelRead> reads = levelReadsOf(read, map.width(), map.height());
@@ -107,7 +108,7 @@ std::vector<double> readLevels(const DepthMap& map, const Technique& technique,
   return mixed;
 }
 
-// A table of sums holds every digit: what is rounded is the encoded channels that it adds up.
+// A table of sums holds every digit: only the encoded channels that it adds up are rounded.
 std::vector<double> readTable(const DepthMap& map, const Technique& technique, const Kernel& kernel,
                               StorageFormat format, const ReadPoint& read) {
   const std::vector<Channel> layout = technique.channels();

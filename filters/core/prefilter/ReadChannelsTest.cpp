@@ -20,7 +20,7 @@ DepthMap noise(int width, int height, int samples = 1) {
   return map;
 }
 
-// Level L of the whole map, from the level below: P >> L texels a side, edges repeated.
+// Computes level L of the whole map from the level below: P >> L texels a side, edges repeated.
 Image<double> levelAbove(const Image<double>& below, int side, std::span<const Channel> layout,
                          StorageFormat format) {
   Image<double> level(side, side, below.channels());
@@ -135,7 +135,7 @@ TEST(MipLevels, AreThoseAboutTheFootprintsSize) {
 
 TEST(SummedAreaRegion, WeighsTexelsByWhatTheBoxCovers) {
   const DepthMap map = noise(8, 8);
-  // From 2.25 to 4.75 and from 3 to 4.
+  // The box reaches from 2.25 to 4.75 along x and from 3 to 4 along y.
   const Region region = regionOf(map, {KernelShape::Box, 1},
                                  {ReadFilter::SummedArea, 3.5 / 8, 3.5 / 8, {2.5, 1.0, 1}});
   ASSERT_EQ(region.texels.size(), 3u);

@@ -10,7 +10,7 @@
 namespace umbra {
 namespace {
 
-// For each position the first one that equals it.
+// Finds for each position the first one that equals it.
 std::vector<std::uint32_t> weld(const std::vector<Eigen::Vector3f>& positions) {
   std::map<std::tuple<float, float, float>, std::uint32_t> first;
   std::vector<std::uint32_t> welded;
@@ -20,7 +20,8 @@ std::vector<std::uint32_t> weld(const std::vector<Eigen::Vector3f>& positions) {
   return welded;
 }
 
-// The connected part that a corner belongs to, by its representative; paths are halved on the way.
+// The connected part that a corner belongs to, named by its representative. Paths are halved on the
+// way.
 std::uint32_t partOf(std::vector<std::uint32_t>& parents, std::uint32_t corner) {
   while (parents[corner] != corner) corner = parents[corner] = parents[parents[corner]];
   return corner;
@@ -41,14 +42,14 @@ std::vector<bool> closedTriangles(const Mesh& mesh) {
     }
   }
   std::sort(edges.begin(), edges.end());
-  std::vector<bool> open(welded.size(), false);  // by a part's representative
+  std::vector<bool> open(welded.size(), false);  // indexed by a part's representative
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const auto [from, to] = edges[i];
     const bool twice = i + 1 < edges.size() && edges[i + 1] == edges[i];
     if (twice || !std::binary_search(edges.begin(), edges.end(), std::pair(to, from)))
       open[partOf(parents, from)] = true;
   }
-  std::vector<double> volumes(welded.size(), 0.0);  // six times that of each part
+  std::vector<double> volumes(welded.size(), 0.0);  // six times the volume of each part
   for (const auto& [a, b, c] : mesh.triangles) {
     const Eigen::Vector3d p = mesh.positions[a].cast<double>();
     const Eigen::Vector3d q = mesh.positions[b].cast<double>();

@@ -19,7 +19,7 @@ struct FieldMesh {
   std::vector<Eigen::Vector3f> normals;    // one unit vector for each position
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<MeshField> vertexFields, faceFields;
-  // The object that each face belongs to, and the objects' names.
+  // The object that each face belongs to, and the names of these objects.
   std::vector<std::uint32_t> objects;
   std::vector<std::string> objectNames;
 };

@@ -28,7 +28,8 @@ Matrix4d lookAlong(const Vector3d& from, const Vector3d& direction) {
   return view;
 }
 
-// Maps light-space x, y in [centre ± half] and −z in [near, far] to the clip cube, y turned round.
+// Maps light-space x, y in [centre ± half] and −z in [near, far] to the clip cube; y is turned
+// round.
 Matrix4d orthographic(double centreX, double centreY, double half, double near, double far) {
   Matrix4d m = Matrix4d::Identity();
   m(0, 0) = 1.0 / half;
@@ -94,7 +95,7 @@ LightFrame fitLightFrame(const Light& light, const Eigen::AlignedBox3d& bounds) 
   frame.direction = axis.normalized();
   frame.worldToLight = lookAlong(light.position, frame.direction);
 
-  Eigen::AlignedBox3d box;  // of the scene, in light space
+  Eigen::AlignedBox3d box;  // the scene's bounds in light space
   double nearest = std::numeric_limits<double>::infinity(), farthest = 0.0;
   for (int corner = 0; corner < 8; ++corner) {
     const Vector3d world = bounds.corner(Eigen::AlignedBox3d::CornerType(corner));
@@ -112,7 +113,8 @@ LightFrame fitLightFrame(const Light& light, const Eigen::AlignedBox3d& bounds) 
     frame.lightToClip =
         orthographic(centre.x(), centre.y(), half, frame.nearDistance, frame.farDistance);
   } else {
-    // Inside the scene's box nothing bounds the nearest occluder; a thousandth of the reach does.
+    // Inside the scene's box nothing bounds the nearest occluder: a thousandth of the reach is
+    // taken instead.
     frame.farDistance = farthest * 1.02;
     frame.nearDistance = std::max(nearest * 0.98, frame.farDistance * 1e-3);
     const double halfAngle =

@@ -9,8 +9,8 @@ namespace umbra {
 
 enum class LightKind { Directional, Spot };
 
-// Of positions and targets, either sign: beyond it single precision, in which the GPU works, is
-// of no use for any scene.
+// Positions and targets lie within ± this. Beyond it, the single precision of the GPU is too coarse
+// for any scene.
 inline constexpr double largestCoordinate = 1e9;
 
 struct Light {
@@ -74,7 +74,7 @@ namespace detail {
 // Throws BadInput unless low ≤ value ≤ high; "WHERE: NAME is VALUE, it should be …".
 void validateNumber(double value, double low, double high, std::string_view where,
                     std::string_view name);
-// The same of position and target: in reach, and apart.
+// Throws BadInput unless position and target are in reach and differ.
 void validateLine(const Eigen::Vector3d& position, const Eigen::Vector3d& target,
                   std::string_view where);
 

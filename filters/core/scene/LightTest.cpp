@@ -115,7 +115,7 @@ TEST_P(EveryLight, HasVDownAndUToTheRight) {
   EXPECT_NEAR(centre.v, 0.5, 1e-12);
   EXPECT_LT(frame.project({0.0, 0.5, 0.0}).v, 0.5);
   EXPECT_GT(frame.project({0.5, 0.0, 0.0}).u, 0.5);
-  // The matrix for the rasteriser says the same: clip y = −1 is the top row.
+  // The matrix for the rasteriser agrees: clip y = −1 is the top row.
   const Eigen::Vector4d clip = frame.worldToClip() * Vector3d(0.0, 0.5, 0.0).homogeneous();
   EXPECT_NEAR(0.5 + 0.5 * clip.y() / clip.w(), frame.project({0.0, 0.5, 0.0}).v, 1e-12);
 }
@@ -137,7 +137,8 @@ TEST(Light, ADirectionalFrameHoldsEveryCornerOfTheBoxTightly) {
       lowV = std::min(lowV, point.v), highV = std::max(highV, point.v);
       lowZ = std::min(lowZ, point.z), highZ = std::max(highZ, point.z);
     }
-    // The longer side fills the square but for its margin of 1 %, depth all but 2 % at either end.
+    // The longer side fills the square but for its margin of 1 %; depth has a margin of 2 % at
+    // either end.
     EXPECT_NEAR(std::max(highU - lowU, highV - lowV), 1.0 / 1.01, coordinateTolerance);
     EXPECT_NEAR(lowZ, 0.02 / 1.04, coordinateTolerance);
     EXPECT_NEAR(highZ, 1.02 / 1.04, coordinateTolerance);
@@ -180,7 +181,7 @@ TEST(Light, RefusesNoDirectionAndNoScene) {
   EXPECT_THROW(fitLightFrame(Light{}, AlignedBox3d()), Error);
 }
 
-// The message of the error that validating ends in, "" where there is none.
+// The message of the error that validation throws, or "" where it throws none.
 template <class T>
 std::string faultOf(const T& value) {
   try {

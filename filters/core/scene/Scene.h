@@ -34,7 +34,8 @@ struct SceneObject {
   std::string name;  // "bench", for tooltips and tables
   Mesh mesh;
   Material material;
-  // Whether the object bounds the light's frame: not so for a ground that reaches to the horizon.
+  // Whether the light's frame must hold the object. A ground that reaches to the horizon need not
+  // be held.
   bool boundsLight = true;
 };
 
@@ -47,7 +48,7 @@ struct Scene {
   Light light;
   Camera camera;
 
-  // Of the objects that bound the light; of all where none does.
+  // The bounds of the objects with boundsLight, or of all objects where none has it.
   Eigen::AlignedBox3d lightBounds() const;
   Eigen::AlignedBox3d bounds() const;
   std::size_t triangleCount() const;

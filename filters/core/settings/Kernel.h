@@ -11,7 +11,8 @@ enum class KernelShape { None, Box, Gaussian };
 
 struct Kernel {
   static constexpr int largestRadius = 64;
-  // Of a sigma that is set. Far below, the weights beside the centre are not even subnormal.
+  // The range of a sigma that is set. Far below it, the weights beside the centre are not even
+  // subnormal.
   static constexpr double smallestSigma = 0.01, largestSigma = 1000.0;
 
   KernelShape shape = KernelShape::Box;

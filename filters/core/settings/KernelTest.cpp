@@ -34,7 +34,7 @@ TEST(Kernel, BoxWeighsAllAlike) {
 }
 
 TEST(Kernel, GaussianFallsAsItsSigmaSays) {
-  // Half the radius unless set.
+  // Sigma is half the radius unless it is set.
   for (const auto& [kernel, sigma] : {std::pair(Kernel{KernelShape::Gaussian, 4}, 2.0),
                                       std::pair(Kernel{KernelShape::Gaussian, 4, 0.8}, 0.8)}) {
     const std::vector<double> weights = kernel.weights();

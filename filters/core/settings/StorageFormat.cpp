@@ -19,8 +19,8 @@ double quantised(double value, double low, double high, double steps) {
   return low + (high - low) * std::nearbyint(fraction * steps) / steps;
 }
 
-// 11 significant bits, subnormals below 2⁻¹⁴, overflow to infinity: rounded once from double,
-// since rounding by way of float could round twice.
+// A half has 11 significant bits, is subnormal below 2⁻¹⁴ and overflows to infinity. The value is
+// rounded once from double, since rounding by way of float could round twice.
 double toHalf(double value) {
   if (value == 0.0 || !std::isfinite(value)) return value;
   int exponent = 0;

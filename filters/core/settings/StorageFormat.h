@@ -11,11 +11,11 @@ enum class StorageFormat { Unorm8, Unorm16, Half, Float, Double };
 // [low, high] of the channel linearly and clamp to it.
 double stored(double value, StorageFormat format, double low = 0.0, double high = 1.0);
 
-// Largest finite magnitude; for the normalised formats that of the stored fraction, 1.
+// The largest finite magnitude; for the normalised formats that of the stored fraction, 1.
 double largestOf(StorageFormat format);
 
 // Half the distance between 1 and the next larger value: the relative rounding error of the
-// floating formats, the absolute one (of the stored fraction) of the normalised ones.
+// floating formats, and the absolute one (of the stored fraction) of the normalised ones.
 double unitRoundoff(StorageFormat format);
 
 bool isNormalised(StorageFormat format);

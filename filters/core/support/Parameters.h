@@ -57,7 +57,7 @@ struct Parameter {
   // Checks type and range, then stores. `where` names the origin for the error message: an
   // option, or a file and key. Throws BadInput.
   void set(const ParameterValue& value, std::string_view where) const;
-  // The same from text: "1e-6", "lloyd", "0.2:0.5:0.7".
+  // The same for a text: "1e-6", "lloyd", "0.2:0.5:0.7".
   void setFromText(std::string_view text, std::string_view where) const;
   std::string text() const;
 };
@@ -106,7 +106,8 @@ Parameter bindField(P& values, const Field<P, T>& field) {
 
 }  // namespace detail
 
-// The fields of `values`, which must outlive the result, as `fields` (a tuple of Field) lists them.
+// The fields of `values`, which must outlive the result, in the order of `fields` (a tuple of
+// Field).
 template <class P, class... T>
 std::vector<Parameter> bindFields(P& values, const std::tuple<Field<P, T>...>& fields) {
   return std::apply(

@@ -36,7 +36,7 @@ class Parameters : public testing::Test {
  protected:
   const Parameter& named(std::string_view name) { return parameterNamed(list, name, "test"); }
 
-  // What setting `text` says, or "" where it is accepted.
+  // The message of the error that setting `text` throws, or "" where it is accepted.
   std::string refusal(std::string_view name, std::string_view text) {
     const std::string before = named(name).text();
     try {

@@ -9,7 +9,7 @@
 namespace umbra {
 namespace {
 
-// In the order of the enumeration.
+// The entries stand in the order of the enumeration.
 constexpr QuantityInfo infos[] = {
     {Quantity::Reference, "reference", "the truth, exact percentage-closer filtering"},
     {Quantity::Receiver, "receiver", "the receiver's depth"},

@@ -6,19 +6,19 @@
 namespace umbra {
 
 enum class Quantity {
-  // Of the probed region.
+  // These describe the probed region.
   Reference,  // exact percentage-closer filtering, [0,1]
   Receiver,   // z_r, biased, [0,1]
   Mean,       // μ of the region's depths, [0,1]
   Variance,   // σ² of the region's depths
-  Minimum,    // of the region's depths
+  Minimum,    // the smallest depth of the region
   Maximum,
   Taps,  // depths in the region
-  // Of one technique at the probe.
+  // These describe one technique at the probe.
   Visibility,  // [0,1]
   Error,       // visibility − reference: positive is light bleeding
   Channels,    // numbers stored per texel
-  // Of one technique over every pixel of the frame that receives shadow.
+  // These describe one technique over every pixel of the frame that receives shadow.
   Rmse,
   Bleeding,       // mean of max(error, 0)
   Darkening,      // mean of max(−error, 0)

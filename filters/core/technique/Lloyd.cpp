@@ -11,7 +11,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Rounding never takes it out of the cluster's range.
+// The clamp keeps rounding from moving the mean out of the cluster's range.
 double meanOf(const ClusterSums& cluster) {
   return std::clamp(double(cluster.first / cluster.weight + 0.5L), cluster.low, cluster.high);
 }

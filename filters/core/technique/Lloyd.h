@@ -23,15 +23,15 @@ struct WeightClamp {
   double high = std::numeric_limits<double>::infinity();
 };
 
-// One sample between every four texels: the mean plus the standard deviation of the four depths,
-// which is the farther one where two depths share them evenly, weighted by their variance. Of a
-// texel's samples the first counts.
-// (width − 1)·(height − 1) samples, row by row; none for a map that is one texel wide or high.
+// One sample between every four texels. Its value is the mean plus the standard deviation of the
+// four depths, which is the farther depth where two depths share them evenly; its weight is their
+// variance. Where texels have several samples, the first ones count. The result has (width −
+// 1)·(height − 1) samples, row by row, and none for a map that is one texel wide or high.
 std::vector<WeightedSample> secondOccluderSamples(const DepthMap& map, WeightClamp clamp = {});
 
 struct LloydOptions {
   int splits = 3;              // how many to place, ≥ 0
-  int maxIterations = 100000;  // stops there if something still moves
+  int maxIterations = 100000;  // the relaxation stops there even if something still moves
   // How many splits an iteration moves, in turn: 0 is all of them; the paper's interactive mode
   // moves two in a frame.
   int movedPerIteration = 0;
@@ -48,35 +48,36 @@ struct LloydResult {
   int teleports = 0;   // splits without samples that were moved into the heaviest cluster
 };
 
-// What a cluster's samples of positive weight add up to. Long sums about mid-depth, since the cost
-// is their difference.
+// Sums over a cluster's samples of positive weight. They are long sums about mid-depth, since the
+// cost is a small difference of them.
 struct ClusterSums {
   long double weight = 0.0L, first = 0.0L, second = 0.0L;  // Σw, Σw·u, Σw·u², u = x − ½
-  // Of the samples' values; an empty range where there is none.
+  // The range of the samples' values; it is empty where the cluster has no sample.
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
 };
 
-// The relaxation without its samples: it says of which clusters it wants the sums, and moves the
-// splits when it is given them. Whoever adds up, the CPU or the GPU, splits move alike.
+// The relaxation without its samples: it says for which clusters it wants sums, and moves the
+// splits when it is given these sums. The splits move alike whether the CPU or the GPU adds up.
 class Relaxation {
  public:
   explicit Relaxation(const LloydOptions& options);
 
-  // Whether nothing moved in turn for all splits, or the iterations are used up.
+  // Whether a whole turn over all splits moved nothing, or the iterations are used up.
   bool settled() const;
-  // Ascending values that divide the samples into the clusters that are wanted next: cluster i has
-  // those above ends()[i − 1] and up to ends()[i]. As many as splits at most.
+  // Ascending values that divide the samples into the clusters whose sums are wanted next: cluster
+  // i has the samples above ends()[i − 1] and up to ends()[i]. There are at most as many ends as
+  // splits.
   std::vector<double> ends() const;
-  // Sums of the ends().size() + 1 clusters, in ascending order.
+  // Takes the sums of the ends().size() + 1 clusters, in ascending order.
   void take(std::span<const ClusterSums> clusters);
-  // Goes on from where the splits are, for other samples. Iterations are counted anew.
+  // Goes on from the present splits, for other samples. Iterations are counted anew.
   void resume();
 
   const LloydResult& result() const { return result_; }
 
  private:
-  // A cluster that is to be divided for the sake of a split that has no samples.
+  // A cluster that is to be divided so that a split without samples can move into it.
   struct Division {
     std::size_t heaviest = 0, dead = 0;  // splits
     double end = 0.0;                    // between the two halves

@@ -29,7 +29,7 @@ std::vector<ClusterSums> SortedSamples::clusters(std::span<const double> ends) c
   return clusters;
 }
 
-// As the first iteration of a relaxation that starts there finds it.
+// The cost that the first iteration of a relaxation finds when it starts from `splits`.
 double SortedSamples::cost(std::span<const double> splits) const {
   if (splits.empty() || empty()) return 0.0;
   Relaxation relaxation({.splits = int(splits.size()),

@@ -38,8 +38,9 @@ struct TechniqueInfo {
   // the weight of the next one.
   bool layered = false;
   bool prefilterable = true;  // false: visibility reads the region's raw texels
-  // Of visibility()'s GLSL with the scaling of its stored channels, at most: one for an operation,
-  // two for a division (reciprocal and product), none for a power of two.
+  // An upper limit of the roundings in visibility()'s GLSL, including the scaling of its stored
+  // channels: one for an operation, two for a division (reciprocal and product), none for a power
+  // of two.
   int roundings = 32;
   double amplification = 1.0;  // of rounding within visibility(), beyond that of its inputs
   std::string_view colour;     // "#rrggbb", the same in every plot, table and pane
@@ -81,7 +82,7 @@ class Technique {
   // Bound to this instance: they are invalid once it is gone.
   virtual std::vector<Parameter> parameters() = 0;
 
-  // Sets what follows the data, such as LVSM's splits. Called once per depth map.
+  // Sets what depends on the data, such as LVSM's splits. It is called once per depth map.
   virtual void adapt(const DepthMap&) {}
   // How many splits of the depth range follow the map's second occluders (Lauritzen 2008, §4.1.3):
   // whoever has found them, adapt() or the GPU, gives them to setAdaptedSplits, ascending. With 0

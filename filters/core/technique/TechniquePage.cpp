@@ -8,7 +8,7 @@
 namespace umbra {
 namespace {
 
-// A bar would end the table's cell.
+// A bar in a text would end the table's cell, so it is escaped.
 std::string cell(std::string_view text) {
   std::string escaped;
   for (const char c : text) escaped += c == '|' ? std::string("\\|") : std::string(1, c);

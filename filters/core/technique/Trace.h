@@ -11,7 +11,7 @@ namespace umbra {
 struct TraceStep {
   std::string symbol;   // "σ²", as the paper writes it
   std::string meaning;  // "variance of the region's depths"
-  std::string formula;  // "M2 − M1²"; empty for what is given
+  std::string formula;  // "M2 − M1²"; empty for a value that is given
   double value = 0.0;
 };
 
@@ -23,8 +23,8 @@ enum class ErrorCause {
   VarianceClamp,      // the smallest variance softens what is sharp
   StoredPrecision,    // rounding in the storage format
   ExponentLimit,      // a warp's exponent was cut to what the format holds
-  ContactLeak,        // receiver and occluder nearer than the warp resolves
-  Ringing,            // a Fourier sum that swings about the truth
+  ContactLeak,        // the receiver is nearer to its occluder than the warp resolves
+  Ringing,            // a Fourier sum that swings about the step
   LayerCut,           // a layer's end cuts occluders off
   CollapsedPenumbra,  // a power CDF whose receiver is its farthest depth
   BoundSlack,         // a bound that the depths do not reach
@@ -81,7 +81,7 @@ class TraceRecorder {
   std::string suffix_;
 };
 
-// The same where nobody asks: it keeps nothing and costs nothing.
+// A recorder for where nobody asks for a trace: it keeps nothing and costs nothing.
 struct Unrecorded {
   double operator()(std::string_view, std::string_view, std::string_view, double value) const {
     return value;

@@ -7,8 +7,8 @@
 
 namespace umbra::gl {
 
-// To be called between draws and a compute shader that reads what they drew: llvmpipe starts the
-// latter while the former are still in work. Elsewhere it does nothing.
+// Call it between draws and a compute shader that reads what they drew: llvmpipe starts the shader
+// while the draws are still at work. For other drivers it does nothing.
 inline void finishDraws() {
   const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
   if (name && std::string_view(name).find("llvmpipe") != std::string_view::npos) glFinish();

@@ -9,8 +9,8 @@ class MultisampleTexture {
  public:
   MultisampleTexture() = default;
 
-  // Makes it anew unless it is as asked already. `samples` is a number that the driver has for
-  // this format.
+  // Makes the texture anew unless it has these properties already. `samples` is a number that the
+  // driver has for this format.
   void require(GLenum internalFormat, int width, int height, int samples) {
     if (handle_ && format_ == internalFormat && width_ == width && height_ == height &&
         samples_ == samples)

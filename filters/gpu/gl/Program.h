@@ -15,7 +15,7 @@ ProgramHandle compileCompute(std::string_view what, const std::string& source);
 ProgramHandle compileScreen(std::string_view what, const std::string& vertex,
                             const std::string& fragment);
 
-// Compiled programs by their source, so that going back to a technique compiles nothing.
+// Compiled programs by their source, so that a return to a technique compiles nothing.
 class ProgramCache {
  public:
   GLuint compute(std::string_view what, const std::string& source);
@@ -34,7 +34,7 @@ void setUniform(GLuint program, const char* name, int x, int y);
 void setUniform(GLuint program, const char* name, std::span<const float> values);
 void setUniform3(GLuint program, const char* name, std::span<const float> values);
 void setUniform4(GLuint program, const char* name, std::span<const float> values);
-// Column-major, as Eigen keeps it.
+// `matrix` is column-major, as Eigen keeps it.
 void setUniformMatrix4(GLuint program, const char* name, const float* columns);
 
 }  // namespace umbra::gl

@@ -16,7 +16,7 @@ class Texture {
   // Sampled by texelFetch only: nearest.
   Texture(GLenum internalFormat, int width, int height, int layers = 0, int levels = 1);
 
-  // Makes it anew unless it is as asked already.
+  // Makes the texture anew unless it has these properties already.
   void require(GLenum internalFormat, int width, int height, int layers = 0, int levels = 1);
 
   GLuint name() const { return handle_.name(); }
@@ -27,10 +27,11 @@ class Texture {
   GLenum format() const { return format_; }
   explicit operator bool() const { return bool(handle_); }
 
-  // `components` floats a texel, in the texture's own row order; array layers follow each other.
+  // `components` floats a texel, in the texture's own row order; the layers of an array follow each
+  // other.
   std::vector<float> read(int components) const;
   void upload(int components, const std::vector<float>& values);
-  // The same of some layers of an array, and of one of its levels.
+  // The same for some layers of an array, and for one of its levels.
   std::vector<float> readLayers(int components, int first, int count, int level = 0) const;
   void uploadLayers(int components, int first, int count, const std::vector<float>& values);
 

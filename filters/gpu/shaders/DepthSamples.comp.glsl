@@ -1,5 +1,5 @@
 #version 430
-// Each sample of a multisampled depth into a layer of its own.
+// Copies each sample of a multisampled depth into a layer of its own.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 uniform sampler2DMS umbraSamples;

@@ -1,5 +1,5 @@
-// Each texel's depths through the technique's umbraEncode, four channels to a layer. Those of
-// several samples are averaged, or the extreme is taken. z: cascades.
+// Encodes each texel's depths by the technique's umbraEncode, four channels to a layer. Where there
+// are several samples, their means or extremes are taken. z: cascades.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 uniform vec4 umbraSigns[UMBRA_LAYERS];  // as in Reduce.glsl

@@ -1,6 +1,6 @@
-// Visibility and exact percentage-closer filtering for a table of reads: (u, v) in [0,1] from the
-// map's top-left corner, z_r, unused; beside it the footprints of filters and cascades that have
-// any. A read outside the map, or none (u < 0), is lit.
+// Evaluates visibility and exact percentage-closer filtering for a table of reads: (u, v) in [0,1]
+// from the map's top-left corner, z_r, unused. Beside it stands a table of footprints, for filters
+// and cascades that have any. A read outside the map, or an empty entry (u < 0), is lit.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 uniform sampler2D umbraReads;

@@ -1,4 +1,4 @@
-// One mip level from the one below it: each texel reduces four. z: layers.
+// Makes one mip level from the one below it: each texel reduces four. z: layers.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 uniform int umbraSourceLevel;

@@ -15,7 +15,7 @@ int umbraWholeSide() {
   return side + 1;
 }
 
-// Of a value from 1 to 2. Drivers' own logarithms may have few digits.
+// The binary logarithm of a value from 1 to 2. Drivers' own logarithms may have few digits.
 float umbraLog2(float value) {
   float s = (value - 1.0) / (value + 1.0), q = s * s;
   float series = 1.0 + q * (1.0 / 3.0 + q * (1.0 / 5.0 + q * (1.0 / 7.0 + q * (1.0 / 9.0 +
@@ -23,8 +23,8 @@ float umbraLog2(float value) {
   return min(2.8853900817779268 * s * series, 1.0);
 }
 
-// The finer of the two levels that a footprint mixes, and the weight of the next; at the last level,
-// a single texel, there is none.
+// The finer of the two levels that a footprint mixes, and the weight of the next one, which is 0 at
+// the last level, a single texel.
 int umbraLevelOf(vec3 footprint, out float next) {
   float whole = float(umbraWholeSide());
   float side = clamp(length(footprint.xy) / footprint.z, 1.0, whole);
@@ -35,7 +35,7 @@ int umbraLevelOf(vec3 footprint, out float next) {
   return level;
 }
 
-// Of one of the reads that are spread along the footprint's longer axis.
+// The position of one of the reads that are spread along the footprint's longer axis.
 vec2 umbraProbe(int probe) {
   return umbraPosition + umbraFootprint.xy * ((float(probe) + 0.5) / umbraFootprint.z - 0.5);
 }
@@ -51,17 +51,17 @@ void umbraLevelTexels(vec2 position, int level, out ivec2 first, out ivec2 last,
   last = clamp(ivec2(whole) + 1, ivec2(0), end);
 }
 
-// Weight of all of the kernel's taps up to `tap`: half of it all, and half of what lies as far from
-// the centre on either side.
+// The weight of all of the kernel's taps up to `tap`: half of the whole weight, plus or minus half
+// of the weight of the taps that are as near to the centre on either side.
 float umbraCumulative(int tap) {
   int distance = min(tap >= 0 ? tap : -1 - tap, umbraRadius);
   return 0.5 + (tap >= 0 ? 0.5 : -0.5) * umbraWindow[distance];
 }
 
-// What a bilinear read of a level averages along one axis: two blocks of prefiltered texels of
-// equal weight, each the kernel's window of depths.
+// The depths that a bilinear read of a level averages along one axis: two blocks of prefiltered
+// texels, each of equal weight and each averaging the kernel's window of depths.
 struct UmbraAxis {
-  int first, last;   // depths, beyond the map's edges as well
+  int first, last;  // the depths' range, which may reach beyond the map's edges
   ivec2 begin, end;  // of the blocks, cut off at the map's edge
   vec2 weight;       // of a texel of a block
   float edge;        // weight of the map's last texel for those cut off
@@ -120,7 +120,7 @@ float umbraPercentageCloser(float receiver) {
   return min(visible / umbraFootprint.z, 1.0);
 }
 
-// Of level 1 and on.
+// Reads level 1 and on.
 vec4 umbraMipFour(ivec2 texel, int layer, int level) {
   return texelFetch(umbraMipMap, ivec3(texel, umbraCascade * UMBRA_LAYERS + layer), level - 1);
 }

@@ -3,7 +3,8 @@
 
 float umbraVisibility(float channels[UMBRA_CHANNELS], float receiver);  // the technique's
 
-// Texels on either side of the nearest that the read averages wherever between texels it is.
+// How many texels on either side of the nearest one the read averages, wherever between texels it
+// is.
 ivec2 umbraReach() {
 #if UMBRA_FILTER == 3
   return ivec2(0.5 * (max(umbraFootprint.xy, vec2(1.0)) - 1.0));
@@ -34,9 +35,9 @@ void umbraReadChannels(out float channels[UMBRA_CHANNELS]) {
   }
 }
 
-// `uv` and `footprint` are of the pixel's own cascade, the read's may be another: texels of a
-// coarser map are fewer, but a box of a summed-area table is never narrower than the kernel, nor
-// wider than what its integers can sum.
+// `uv` and `footprint` belong to the pixel's own cascade; the read may be of another one. A coarser
+// map has fewer texels in the same place, but a box of a summed-area table is never narrower than
+// the kernel, nor wider than its integers can sum.
 void umbraSetRead(vec2 uv, vec4 footprint, int cascade) {
   umbraFootprint = footprint.xyz;
 #if UMBRA_CASCADES > 1
@@ -55,8 +56,9 @@ void umbraSetRead(vec2 uv, vec4 footprint, int cascade) {
   umbraPosition = uv * vec2(umbraMapSize());
 }
 
-// Of the read that was set last: exact percentage-closer filtering, or the technique's visibility.
-// `exact` is a constant wherever it is called, so that compilers leave the other out.
+// Evaluates the read that was set last: exact percentage-closer filtering, or the technique's
+// visibility. `exact` is a constant wherever the function is called, so that compilers leave the
+// other case out.
 float umbraOfRead(const bool exact, float receiver) {
   if (exact) return umbraPercentageCloser(receiver);
   float channels[UMBRA_CHANNELS];
@@ -64,8 +66,9 @@ float umbraOfRead(const bool exact, float receiver) {
   return umbraVisibility(channels, receiver);
 }
 
-// Of one pixel: (u, v, z_r, ·), (u, v) in [0,1] of its cascade's map, and (x, y, probes, cascade +
-// weight of the next cascade). Two cascades' visibilities are mixed, not their channels.
+// Evaluates one pixel: (u, v, z_r, ·), with (u, v) in [0,1] of its cascade's map, and (x, y,
+// probes, cascade + weight of the next cascade). It mixes two cascades' visibilities, not their
+// channels.
 float umbraOfPixel(const bool exact, vec4 surface, vec4 footprint) {
   float receiver = abs(surface.z);
 #if UMBRA_CASCADES > 1

@@ -10,7 +10,7 @@ ivec2 umbraFirstTexel(out vec2 second) {
 
 float umbraKernelWeight(int tap) { return abs(tap) <= umbraRadius ? umbraWeights[abs(tap)] : 0.0; }
 
-// Weight of a tap of the kernel convolved with the read's own weights (1 - second, second).
+// The weight of a tap: the kernel convolved with the read's own weights (1 - second, second).
 float umbraTapWeight(int tap, float second) {
   return umbraKernelWeight(tap) * (1.0 - second) + umbraKernelWeight(tap - 1) * second;
 }
@@ -30,7 +30,7 @@ float umbraPercentageCloser(float receiver) {
   return min(visible, 1.0);
 }
 
-// Mixed here and not by the texture unit, whose weights have as few as eight bits.
+// The mix is done here and not by the texture unit, whose weights have as few as eight bits.
 vec4 umbraReadFour(int layer) {
   vec2 second;
   ivec2 first = umbraFirstTexel(second);

@@ -1,4 +1,4 @@
-// What the two reductions share. Channels are reduced as they are stored: the linear map of a
+// Shared by both reductions. Channels are reduced as they are stored: the linear map of a
 // normalised format changes neither means nor extremes.
 
 uniform sampler2DArray umbraSource;

@@ -1,6 +1,6 @@
 #version 430
-// Of each layer, the mean of a grid of at most 128 × 128 texels: what a table subtracts before it
-// sums. It need not be the mean itself, only near it.
+// Computes for each layer the mean of a grid of at most 128 × 128 texels, which a table subtracts
+// before it sums. It need only be near the mean of all texels.
 layout(local_size_x = 16, local_size_y = 16) in;
 
 uniform sampler2DArray umbraChannels;

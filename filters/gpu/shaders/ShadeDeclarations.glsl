@@ -61,9 +61,9 @@ vec2 umbraCascadeOf(vec2 whole, float distance) {
 }
 #endif
 
-// What a pixel covers of the map, whose position moves by `dx` and `dy` (texels) to the next pixels:
-// the longer axis, and how many probes are spread along it so that each covers what the shorter
-// axis does. A texel is the least that a probe can cover.
+// The footprint of a pixel whose position on the map moves by `dx` and `dy` (texels) to the next
+// pixels: its longer axis, and how many probes are spread along it so that each covers as much as
+// the shorter axis. A probe covers at least one texel.
 vec3 umbraFootprintOf(vec2 dx, vec2 dy) {
   float longest = float(max(umbraMapSize().x, umbraMapSize().y));
   vec2 axis = dot(dx, dx) > dot(dy, dy) ? dx : dy;
@@ -94,7 +94,8 @@ vec2 umbraBoxOf(vec2 dx, vec2 dy, float distance) {
 }
 #endif
 
-// From the read's position to the farthest centre of the texels that it averages along either axis.
+// How far the centres of the texels that a read averages lie from its position, at most, along
+// either axis.
 vec2 umbraReachOf(vec3 footprint) {
   float kernel = float(umbraRadius);
 #if UMBRA_FILTER == 0

@@ -1,5 +1,6 @@
-// Reads of the shadow map: what a technique's GLSL finds around itself. Defined before it, so that
-// what a frame does not do costs it nothing (a software renderer executes both sides of a branch):
+// Reads of the shadow map, which a technique's GLSL finds around itself. These are defined before
+// it, so that what a frame does not do costs it nothing (a software renderer executes both sides of
+// a branch):
 //   UMBRA_CHANNELS  of the technique
 //   UMBRA_PREFILTERED  0 where the technique reads raw texels
 //   UMBRA_FILTER    0 point, 1 bilinear, 2 trilinear and anisotropic, 3 summed-area table
@@ -23,7 +24,7 @@ int umbraCascade = 0;
 const int umbraCascade = 0;
 #endif
 
-// Of the read, set before the technique is asked for visibility.
+// These describe the read; they are set before the technique is asked for visibility.
 vec2 umbraPosition = vec2(0.0);               // in the map of umbraCascade
 vec3 umbraFootprint = vec3(0.0, 0.0, 1.0);  // texels along x and y, and probes; see umbraShade
 
@@ -38,7 +39,7 @@ ivec2 umbraNearestTexel() {
   return clamp(ivec2(floor(umbraPosition)), ivec2(0), umbraMapSize() - 1);
 }
 
-// Of the first sample.
+// The depth of the texel's first sample.
 float umbraNearestDepth() { return umbraSampleDepth(umbraNearestTexel(), 0); }
 
 // The part of a texel's samples that do not block. Equality is lit.

@@ -1,5 +1,5 @@
-// Adds up the samples of each cluster, as far as one invocation comes by them: every stride-th in
-// both directions, so that neighbours read neighbours.
+// Adds up the samples of each cluster that fall to one invocation: every stride-th one in both
+// directions, so that neighbouring invocations read neighbouring samples.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 uniform sampler2D umbraSamples;                   // value and weight

@@ -1,9 +1,10 @@
-// Adds up runs of a cluster's sums: one level of a pyramid whose last has one value a cluster.
+// Adds up runs of a cluster's sums: this is one level of a pyramid whose last level has one sum a
+// cluster.
 layout(local_size_x = 32) in;
 
 uniform int umbraCount;   // sums of each cluster in `umbraFine`
 uniform int umbraCoarseCount;  // of each in `umbraCoarse`
-uniform int umbraRun;     // how many become one
+uniform int umbraRun;  // how many sums become one
 layout(std430, binding = 0) readonly buffer Fine {
   UmbraSums umbraFine[];
 };

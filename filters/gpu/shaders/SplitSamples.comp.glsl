@@ -1,5 +1,6 @@
-// A sample between every four texels (Lauritzen 2008, §4.1.2): where the second occluder is, μ + σ,
-// and its weight, σ². In double until both are stored, so that they are the reference's floats.
+// Makes a sample between every four texels (Lauritzen 2008, §4.1.2): the depth of the second
+// occluder, μ + σ, and its weight, σ². It works in double until both are stored, so that they equal
+// the reference's floats.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 uniform sampler2DArray umbraDepthMap;  // linear depth; layer 0 is the first map's first sample

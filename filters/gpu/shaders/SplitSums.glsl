@@ -1,5 +1,5 @@
-// What a cluster's samples add up to. In double: a sum over a million samples keeps its digits, and
-// depends on nothing but which samples it has, so that splits come to rest.
+// Sums over a cluster's samples. They are doubles: a sum over a million samples then keeps its
+// digits and depends on nothing but which samples it has, so that splits come to rest.
 struct UmbraSums {
   double weight, first, second;  // Σw, Σw·u, Σw·u² with u = x − ½
   float low, high;               // of the values with weight; low > high where there is none

@@ -24,7 +24,7 @@ vec3 umbraErrorColour(float error) {
 }
 
 float umbraError(vec4 surface, vec4 footprint) {
-  // What faces away receives nothing from the light, whatever the visibility.
+  // A surface that faces away receives nothing from the light, whatever the visibility.
   if (surface.z < 0.0 || any(greaterThan(abs(surface.xy - 0.5), vec2(0.5)))) return 0.0;
   return surface.w - umbraReferenceAt(surface, footprint);
 }

@@ -1,4 +1,5 @@
-// Weighted mean along one axis, tap by tap; minima and maxima over the same window on the way.
+// The weighted mean along one axis, tap by tap, together with minima and maxima over the same
+// window.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 uniform float umbraWeights[65];  // from the kernel's centre outwards

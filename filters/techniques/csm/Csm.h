@@ -8,7 +8,7 @@
 
 namespace umbra::csm {
 
-// What makes a surface lit on which the series is ½ (§3.2.2).
+// How a surface is made lit, although the series is ½ on it (§3.2.2).
 enum class Mode { Offset, Scale };
 inline constexpr std::array<std::string_view, 2> modeNames{"offset", "scale"};
 
@@ -44,7 +44,7 @@ class Csm final : public TechniqueWith<Csm, CsmParameters> {
   std::vector<Uniform> derivedUniforms() const override;
   std::string_view page() const override;
 
-  // Of the parameters as they are now.
+  // The series for the present parameters.
   FourierSeries series() const;
 
  private:

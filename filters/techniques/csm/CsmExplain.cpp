@@ -6,7 +6,7 @@
 namespace umbra::csm {
 namespace {
 
-// What each depth of the region adds to the sum beyond its share of the truth.
+// How much each group of the region's depths adds to the sum beyond its exact share.
 struct Excess {
   double wrapped = 0.0;  // the series repeats where the depths are a whole period apart
   double contact = 0.0;  // blockers so near that the series is on its way up to the lit side

@@ -32,7 +32,8 @@ Trace Esm::explain(const Fetch& fetch, double receiver) const {
   Trace trace;
   visibilityOf(fetch.channels[0], receiver, TraceRecorder(trace));
   ErrorShares shares(trace, fetch, receiver);
-  // What the depths on either side contribute to the exact mean, with any exponent.
+  // The contributions of the depths on either side of the receiver to the exact mean, for any
+  // exponent.
   const auto part = [&](bool lit, double c) {
     double sum = 0.0;
     for (const RegionTexel& texel : fetch.region.texels)
@@ -88,7 +89,7 @@ std::string Esm::refusal(StorageFormat format) const {
 
 std::vector<std::string> Esm::limitTo(StorageFormat format) {
   std::vector<std::string> notes;
-  // The exponential itself is stored, not its square.
+  // The exponential itself is stored, and not its square.
   cut_.limit(values.exponent, 2.0 * largestSquaredExponent(format), "esm.exponent", format, notes);
   return notes;
 }

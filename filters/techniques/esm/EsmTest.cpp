@@ -31,7 +31,7 @@ TEST(Esm, FallsOffExponentiallyBehindOneDepth) {
   EXPECT_EQ(visibilityOf(technique, region, 0.39), 1.0);
 }
 
-// On the farther of two planes the share p is exact but for the nearer plane's own tail.
+// On the farther of two planes the estimate is the share p, but for the nearer plane's own tail.
 TEST(Esm, AddsTheOccludersTailToTheShareOfAPlanarReceiver) {
   const esm::Esm technique;
   const double p = 0.25, a = 0.5, b = 0.55;

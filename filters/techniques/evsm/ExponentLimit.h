@@ -11,9 +11,9 @@
 
 namespace umbra {
 
-// Largest whole c with e^c finite in the format: the limit of a warp e^{c(z−½)} whose square is
-// stored, since the square reaches e^c at z = 1. A warp stored without its square may have twice
-// as much. Normalised formats hold no exponential at all.
+// The largest whole c with e^c finite in the format. It limits a warp e^{c(z−½)} whose square is
+// stored, since the square reaches e^c at z = 1. A warp that is stored without its square may have
+// twice as much. Normalised formats hold no exponential at all.
 inline double largestSquaredExponent(StorageFormat format) {
   switch (format) {
     case StorageFormat::Half:
@@ -44,14 +44,15 @@ class CutExponent {
     limitExponent(exponent, largest, option, format, notes);
     held_ = exponent;
   }
-  // What was asked for where `exponent` is what the format left of it, else `exponent`.
+  // The exponent that was asked for, where the format has cut it down to `exponent`; else
+  // `exponent`.
   double asked(double exponent) const { return exponent == held_ ? asked_ : exponent; }
 
  private:
   double asked_ = 0.0, held_ = 0.0;
 };
 
-// For a trace.
+// A sentence for a trace.
 inline std::string exponentLimitText(std::string_view symbol, double held, double asked,
                                      double visibility) {
   return "the storage format holds " + std::string(symbol) + " ≤ " + shortNumber(held) + " where " +

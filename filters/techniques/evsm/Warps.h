@@ -41,7 +41,7 @@ double boundOfWarp(double m1, double m2, double c, double receiver, const WarpSe
                              settings.bleedReduction, record);
 }
 
-// From P1 P2 and, with a second warp, N1 N2: the smaller of their bounds.
+// The visibility from P1 P2 and, with a second warp, N1 N2: the smaller of their bounds.
 template <class Record>
 double visibilityOf(std::span<const double> channels, const WarpSettings& settings, double receiver,
                     const Record& record) {
@@ -57,7 +57,8 @@ double visibilityOf(std::span<const double> channels, const WarpSettings& settin
                 "min(v₊, v₋)", std::min(rising, mirrored));
 }
 
-// `steeper` is the technique with the exponents that were asked for, before the format cut them.
+// `steeper` is the technique with the exponents that were asked for, before the format cut them
+// down.
 Trace explainWarps(const Technique& technique, const WarpSettings& settings,
                    const Technique& steeper, const WarpSettings& asked, const Fetch& fetch,
                    double receiver);

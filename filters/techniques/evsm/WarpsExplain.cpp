@@ -7,7 +7,7 @@
 namespace umbra::evsm {
 namespace {
 
-// The suffix of the steps of the warp that decided, which has the smaller bound.
+// The suffix of the steps of the warp that decided: the one with the smaller bound.
 std::string deciding(const Trace& trace) {
   double rising = 1.0, mirrored = 2.0;
   for (const TraceStep& step : trace.steps) {

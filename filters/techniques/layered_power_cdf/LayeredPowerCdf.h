@@ -15,9 +15,9 @@ class LayeredPowerCdf final : public TechniqueWith<LayeredPowerCdf, LayeredPower
  public:
   const TechniqueInfo& info() const override;
   std::vector<Parameter> parameters() override;
-  // L1mean L1min L1max L2mean …, of every layer's warped depth.
+  // The channels are L1mean L1min L1max L2mean …, of every layer's warped depth.
   std::vector<Channel> channels() const override;
-  // Call again after a change of layers or placement.
+  // Must be called again after a change of layers or placement.
   void adapt(const DepthMap& map) override;
   int adaptedSplitCount() const override { return umbra::adaptedSplitCount(values); }
   void setAdaptedSplits(std::span<const double> splits) override;

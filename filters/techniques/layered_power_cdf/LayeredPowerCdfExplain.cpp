@@ -21,7 +21,7 @@ Trace LayeredPowerCdf::explain(const Fetch& fetch, double receiver) const {
   shares.without(ErrorCause::LayerCut, "v", alone,
                  "near the split two layers are blended; the receiver's own gives " +
                      shortNumber(alone) + ".");
-  // The same region with depth in one piece.
+  // The same region with depth in one layer.
   const RegionStatistics s = statisticsOf(fetch.region);
   const double whole = powerVisibility(s.mean, s.min, s.max, receiver);
   if (std::abs(whole - shares.reference()) < std::abs(alone - shares.reference())) {

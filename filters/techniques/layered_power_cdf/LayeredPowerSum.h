@@ -8,7 +8,8 @@
 
 namespace umbra::layered_power_cdf {
 
-// In layer i, from 0. Channels are L1mean L1min L1max L2mean …; `record` takes the steps.
+// The visibility in layer i, from 0. Channels are L1mean L1min L1max L2mean …; `record` takes the
+// steps.
 template <class Record>
 double layerVisibility(const Layering& layers, int i, std::span<const double> channels,
                        double receiver, const Record& record) {
@@ -19,7 +20,7 @@ double layerVisibility(const Layering& layers, int i, std::span<const double> ch
   return powerVisibility(channels[3 * i], channels[3 * i + 1], channels[3 * i + 2], place, record);
 }
 
-// Steps of a layer are numbered from 1.
+// The steps of a layer are numbered from 1.
 template <class Record>
 double visibilityOf(const Layering& layers, std::span<const double> channels, double receiver,
                     const Record& record) {

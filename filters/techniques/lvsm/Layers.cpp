@@ -8,7 +8,8 @@
 namespace umbra {
 namespace {
 
-constexpr double smallestLayer = 1e-4;  // depth; only adapted splits are kept apart
+// Depth. Only adapted splits are kept apart by it.
+constexpr double smallestLayer = 1e-4;
 
 void checkSplits(const std::vector<double>& splits, std::string_view id) {
   bool rising = splits.size() < std::size_t(largestLayerCount);

@@ -21,8 +21,8 @@ inline constexpr int largestLayerCount = 16;
 enum class LayerPlacement { Uniform, Manual, Lloyd };
 inline constexpr std::array<std::string_view, 3> layerPlacementNames{"uniform", "manual", "lloyd"};
 
-// Parameters of a layered technique. Splits are the manual ones only and then fix the number of
-// layers: bindLayerParameters keeps it so.
+// The parameters of a layered technique. `splits` are the manual ones only, and they fix the number
+// of layers: bindLayerParameters keeps the two in agreement.
 struct LayerParameters {
   int layers = 4;
   LayerPlacement placement = LayerPlacement::Uniform;
@@ -47,10 +47,10 @@ constexpr auto layerFields() {
                        "Half width of the zone around a split in which two layers are blended."}};
 }
 
-// `parameters`, bound to the technique `id` with these values, such that the three fields agree
-// whichever is set: splits imply placement manual and their number of layers; another placement or
-// number of layers drops the splits. Splits that do not rise strictly inside (0,1), or are more
-// than 15, are refused with BadInput.
+// Binds `parameters` to the technique `id` with these values, so that the three fields agree
+// whichever is set: splits set the placement to manual and the number of layers to one more;
+// another placement or number of layers drops the splits. Splits that do not rise strictly inside
+// (0,1), or are more than 15, are refused with BadInput.
 std::vector<Parameter> bindLayerParameters(std::vector<Parameter> parameters,
                                            LayerParameters& values, std::string_view id);
 
@@ -69,8 +69,9 @@ struct Layering {
     return std::clamp((z - low(i)) / (high(i) - low(i)), 0.0, 1.0);
   }
 
-  // `visibilityIn(i)` of the layer that holds the receiver; within the overlap of a split, the
-  // nearest where there are two, those of both its layers blended linearly (§4.1.3).
+  // The result of `visibilityIn(i)` for the layer that holds the receiver. Within the overlap of a
+  // split (the nearest one, where there are two) the results for both its layers are blended
+  // linearly (§4.1.3).
   template <class Visibility>
   double blended(double receiver, Visibility&& visibilityIn) const {
     int nearest = 0;  // the split between layers nearest − 1 and nearest, 0 for none
@@ -91,18 +92,18 @@ struct Layering {
 
 // How many splits the values want Lloyd's relaxation to find.
 int adaptedSplitCount(const LayerParameters& values);
-// Those splits for `map`, ascending, on the CPU.
+// Finds those splits for `map` on the CPU; ascending.
 std::vector<double> relaxedSplits(const LayerParameters& values, const DepthMap& map);
-// Ascending splits as layers can have them: inside (0,1), and at least 1e-4 apart. A second
-// occluder μ + σ, and with it a split, may lie beyond 1.
+// Makes found splits into such as layers can have: ascending, inside (0,1), and at least 1e-4
+// apart. A second occluder μ + σ, and with it a split, may lie beyond 1.
 std::vector<double> keptApart(std::span<const double> found);
 
-// The layers that the values describe. `adapted` is what keptApart gave; uniform splits stand
-// in where Lloyd's are asked for and there are none for this number of layers.
+// The layers that the values describe. `adapted` is what keptApart gave. Uniform splits are taken
+// where Lloyd's are asked for and there are none for this number of layers.
 Layering layeringOf(const LayerParameters& values, std::span<const double> adapted);
 
-// What the shaders of layered techniques read, each float[16]: umbra_layer_low and umbra_layer_high
-// are p and q of every layer, umbra_layer_end the split that ends it.
+// The uniforms of layered techniques' shaders, each float[16]: umbra_layer_low and umbra_layer_high
+// are p and q of every layer, umbra_layer_end is the split that ends it.
 std::vector<Uniform> layerUniforms(const Layering& layering);
 
 }  // namespace umbra

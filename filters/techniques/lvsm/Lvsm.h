@@ -29,9 +29,9 @@ class Lvsm final : public TechniqueWith<Lvsm, LvsmParameters> {
  public:
   const TechniqueInfo& info() const override;
   std::vector<Parameter> parameters() override;
-  // L1M1 L1M2 L2M1 …: two moments of every layer's warped depth.
+  // The channels are L1M1 L1M2 L2M1 …: two moments of every layer's warped depth.
   std::vector<Channel> channels() const override;
-  // Call again after a change of layers or placement.
+  // Must be called again after a change of layers or placement.
   void adapt(const DepthMap& map) override;
   int adaptedSplitCount() const override { return umbra::adaptedSplitCount(values); }
   void setAdaptedSplits(std::span<const double> splits) override;

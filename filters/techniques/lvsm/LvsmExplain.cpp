@@ -41,7 +41,7 @@ Trace Lvsm::explain(const Fetch& fetch, double receiver) const {
   };
   const std::vector<double> exact = chargeSettings(shares, *this, fetch, evaluate);
   const double layered = evaluate(exact, {false, false});
-  // The same region with depth in one piece.
+  // The same region with depth in one layer.
   const vsm::Vsm whole;
   const std::vector<double> moments = prefilteredRegion(fetch.region, whole, StorageFormat::Double);
   const double unlayered = plainVisibility(moments, receiver);

@@ -8,8 +8,8 @@
 
 namespace umbra::lvsm {
 
-// Channels are L1M1 L1M2 L2M1 …; minVariance is in unwarped depth². `record` takes the steps, those
-// of a layer numbered from 1.
+// Channels are L1M1 L1M2 L2M1 …; minVariance is in unwarped depth². `record` takes the steps; those
+// of a layer are numbered from 1.
 template <class Record>
 double visibilityOf(const Layering& layers, std::span<const double> channels, double minVariance,
                     double reduction, double receiver, const Record& record) {

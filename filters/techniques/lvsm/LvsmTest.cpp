@@ -57,7 +57,7 @@ TEST(Lvsm, ASplitAboveTheSecondPlaneClampsTheBleeding) {
   lvsm::Lvsm technique;
   technique.values.overlap = 0.0;
   set(technique, "splits", "0.5");
-  const double dx = b - split, dy = c - b;  // in place of b − a
+  const double dx = b - split, dy = c - b;  // the split stands in for a
   EXPECT_NEAR(visibilityOf(technique, regionOf({a, b}), c),
               0.25 * dx * dx / (0.5 * dx * dx + dx * dy + dy * dy), 1e-12);
 }

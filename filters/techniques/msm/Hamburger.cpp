@@ -12,7 +12,7 @@ struct Nodes {
   double near = 0.0, far = 0.0;
 };
 
-// The roots of a z² + b z + c, which are real but for rounding. a ≠ 0.
+// The roots of a z² + b z + c, which are real except for rounding. a ≠ 0.
 Nodes roots(double a, double b, double c) {
   const double discriminant = std::max(b * b - 4.0 * a * c, 0.0);
   const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
@@ -21,10 +21,10 @@ Nodes roots(double a, double b, double c) {
   return {std::min(first, second), std::max(first, second)};
 }
 
-// The other two depths of the one distribution on three depths, one of them `receiver`, that has
-// moments `b`: the roots of the polynomial whose coefficients solve B c = (1, z, z²) for the Hankel
-// matrix B of the moments. B = L D Lᵀ; everything is multiplied by the last pivot, which is 0 where
-// two depths explain the moments by themselves, and those two are then the roots.
+// There is one distribution on three depths, one of them `receiver`, that has the moments `b`. This
+// finds its other two depths: the roots of the polynomial whose coefficients solve B c = (1, z, z²)
+// for the Hankel matrix B of the moments. B = L D Lᵀ. Everything is multiplied by the last pivot,
+// which is 0 where two depths explain the moments by themselves; those two are then the roots.
 template <class Record>
 Nodes nodesBeside(double receiver, const Moments4& b, const Record& record) {
   const double l10 = b[0], l20 = b[1];
@@ -57,7 +57,7 @@ double boundOf(const Moments4& moments, double receiver, double bias, const Reco
   record("z₂", "the farther of them", "the other root", far);
   if (receiver <= near)
     return record("p_max", "the receiver is before both: all may be lit", "1 for z_r ≤ z₁", 1.0);
-  // The weight of the depths before the receiver in that distribution is what is surely occluded.
+  // In that distribution, the weight of the depths before the receiver is certainly occluded.
   const bool between = receiver <= far;
   const double occluded = between ? (receiver * far - b[0] * (receiver + far) + b[1]) /
                                         ((far - near) * (receiver - near))
@@ -79,12 +79,12 @@ Moments4 toQuantised(double z) {
 
 Moments4 fromQuantised(const Moments4& channels) {
   const double odd0 = channels[0] - 0.5, odd2 = root3 * (channels[2] - 0.5);
-  // The moments of x …
+  // First the moments of x,
   const double x1 = odd2 - odd0 / 3.0;
   const double x3 = 0.75 * (odd2 - odd0);
   const double x2 = channels[3] + 0.125 * channels[1];
   const double x4 = channels[3] - 0.125 * channels[1];
-  // … and those of z = (x + 1)/2, by the binomial theorem.
+  // then those of z = (x + 1)/2, by the binomial theorem.
   return {0.5 * (1.0 + x1), 0.25 * (1.0 + 2.0 * x1 + x2), 0.125 * (1.0 + 3.0 * x1 + 3.0 * x2 + x3),
           0.0625 * (1.0 + 4.0 * x1 + 6.0 * x2 + 4.0 * x3 + x4)};
 }

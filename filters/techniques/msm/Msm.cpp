@@ -40,8 +40,8 @@ std::vector<std::string> Msm::limitTo(StorageFormat format) {
     changes.push_back("msm.basis moments loses too many digits in " + std::string(nameOf(format)) +
                       "; quantised is used");
   }
-  // Rounded moments need not belong to any distribution: less bias than the last digit is worth
-  // leaves a system that amplifies its error without bound.
+  // Rounded moments need not belong to any distribution. A bias below the worth of their last digit
+  // leaves a system that amplifies their error without bound.
   const double smallest = 2.0 * unitRoundoff(format);
   if (values.momentBias < smallest) {
     values.momentBias = smallest;
@@ -66,7 +66,7 @@ Moments4 momentsOf(std::span<const double> channels, Basis basis) {
   return basis == Basis::Quantised ? fromQuantised(moments) : moments;
 }
 
-// With the smallest bias that a system in double bears.
+// The same technique with the smallest bias with which a system in double can be solved.
 constexpr double hardlyAnyBias = 1e-9;
 
 }  // namespace

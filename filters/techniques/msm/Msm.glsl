@@ -24,7 +24,7 @@ void umbraEncode(float z, inout float channels[UMBRA_CHANNELS]) {
   channels[3] = 0.5 * x2 * (1.0 + x2);
 }
 
-// The moments of x = 2z − 1 in `m`, to those of z.
+// Turns the moments of x = 2z − 1 in `m` into those of z.
 vec4 umbraMomentsOfDepth(vec4 m) {
   return vec4(0.5 * (1.0 + m.x), 0.25 * (1.0 + 2.0 * m.x + m.y),
               0.125 * (1.0 + 3.0 * m.x + 3.0 * m.y + m.z),

@@ -7,7 +7,7 @@
 
 namespace umbra::msm {
 
-// What the four channels are: the power moments, or their optimised quantisation.
+// The four channels are the power moments, or their optimised quantisation.
 enum class Basis { Moments, Quantised };
 inline constexpr std::array<std::string_view, 2> basisNames{"moments", "quantised"};
 
@@ -36,7 +36,7 @@ class Msm final : public TechniqueWith<Msm, MsmParameters> {
  public:
   const TechniqueInfo& info() const override;
   std::vector<Channel> channels() const override { return {{"M1"}, {"M2"}, {"M3"}, {"M4"}}; }
-  // Formats coarser than float turn the basis to quantised and may raise the moment bias.
+  // Formats coarser than float set the basis to quantised and may raise the moment bias.
   std::vector<std::string> limitTo(StorageFormat format) override;
   void encode(double z, std::span<double> channels) const override;
   double visibility(const Fetch& fetch, double receiver) const override;

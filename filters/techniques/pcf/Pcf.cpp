@@ -12,8 +12,8 @@
 namespace umbra::pcf {
 namespace {
 
-// The region's texels by their place. What lies beyond them lies beyond the map: there its edge,
-// which is theirs, repeats.
+// The region's texels by their place. Places beyond them lie beyond the map, where its edge
+// repeats, which is among them.
 class TexelsByPlace {
  public:
   explicit TexelsByPlace(const Region& region) : region_(region) {
@@ -96,7 +96,7 @@ const TechniqueInfo& Pcf::info() const {
       .formula = "v = Σ w_i [z_i ≥ z_r]",
       .order = 10,
       .prefilterable = false,
-      // Of the largest disc: 64 products of two rounded weights, summed twice, and a division.
+      // The largest disc has 64 products of two rounded weights, summed twice, and a division.
       .roundings = 2 * (64 + 2) + 2,
       .colour = "#1f2933"};
   return info;

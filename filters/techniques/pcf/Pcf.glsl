@@ -1,4 +1,4 @@
-// Percentage-closer filtering: the channel is depth; every texel of the region is compared, or
+// Percentage-closer filtering: the channel is depth. Every texel of the region is compared, or
 // those under a disc of points, umbraDiscPoints, that is turned from texel to texel.
 
 uniform int umbra_taps;  // 0 all, 1 the disc
@@ -8,7 +8,7 @@ void umbraEncode(float z, inout float channels[UMBRA_CHANNELS]) {
   channels[0] = z;
 }
 
-// Which turn the disc about a texel has: a hash.
+// The number of the disc's rotation about a texel: a hash.
 uint umbraDiscTurn(ivec2 texel) {
   uint hash = uint(texel.x) * 0x9E3779B1u ^ uint(texel.y) * 0x85EBCA77u;
   hash ^= hash >> 15;

@@ -6,7 +6,8 @@
 namespace umbra::pcf {
 namespace {
 
-// A disc of 1024² over a window of 2·reach + 1 texels, to whole texels from its middle one.
+// Scales a coordinate of a disc of radius 1024² to a window of 2·reach + 1 texels, rounded to whole
+// texels from the middle one.
 int texelsOf(int rotated, int reach) {
   return (rotated * (2 * reach + 1) + (1 << 20)) >> 21;
 }

@@ -15,8 +15,8 @@ struct Offset {
 inline constexpr int largestTapCount = 64;
 inline constexpr int rotationCount = 64;
 
-// In 1/1024 of the disc's radius. Each point is the farthest from all before it among many
-// candidates (Mitchell 1991), so that any number of the first ones covers the disc evenly.
+// Points in 1/1024 of the disc's radius. Each is, among many candidates, the one farthest from all
+// points before it (Mitchell 1991), so that any number of the first ones covers the disc evenly.
 inline constexpr std::array<Offset, largestTapCount> discPoints{
     {{0, 0},       {399, 921},   {-790, -619}, {-910, 422},  {874, -494}, {71, -998},   {944, 321},
      {-350, 930},  {-567, -60},  {304, -485},  {-247, -518}, {390, 367},  {-323, 409},  {593, -93},
@@ -29,11 +29,11 @@ inline constexpr std::array<Offset, largestTapCount> discPoints{
      {-164, 277},  {-451, 751},  {466, 181},   {-481, 118},  {995, 129},  {-742, 526},  {-751, 121},
      {107, -501}}};
 
-// Cosine and sine of a full turn's 64ths, in 1/1024.
+// Cosine and sine of the multiples of 1/64 of a full turn, in 1/1024.
 const std::array<Offset, rotationCount>& rotations();
 
-// Which of them the disc about texel (x, y) of a map is turned by: a hash, so that neighbours look
-// unlike each other and a texel always looks the same.
+// The number of the rotation that the disc about texel (x, y) of a map has: a hash, so that
+// neighbours look unlike each other and a texel always looks the same.
 constexpr std::uint32_t rotationOf(std::uint32_t x, std::uint32_t y) {
   std::uint32_t hash = x * 0x9E3779B1u ^ y * 0x85EBCA77u;
   hash ^= hash >> 15;

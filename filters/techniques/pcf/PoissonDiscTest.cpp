@@ -54,7 +54,7 @@ TEST(PoissonDisc, OffsetsStayWithinReachAndUseIt) {
 TEST(PoissonDisc, TurnsFromTexelToTexel) {
   int alike = 0;
   for (int x = 0; x < 1024; ++x) alike += pcf::rotationOf(x, 5) == pcf::rotationOf(x + 1, 5);
-  // Of 1024 neighbours one in 64 is alike by chance: 16, with a standard deviation of 4.
+  // Among 1024 neighbours one in 64 is alike by chance: 16, with a standard deviation of 4.
   EXPECT_LT(alike, 16 + 5 * 4);
   EXPECT_EQ(pcf::rotationOf(17, 4), pcf::rotationOf(17, 4));
 }

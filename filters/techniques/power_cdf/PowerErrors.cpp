@@ -8,7 +8,7 @@
 namespace umbra {
 namespace {
 
-// Depths this much of the region's range behind the receiver, or nearer, are its own surface's.
+// Depths behind the receiver by at most this part of the region's range belong to its own surface.
 constexpr double ownSurface = 0.05;
 
 struct Fit {
@@ -26,7 +26,8 @@ struct Fit {
   }
 };
 
-// The receiver's own surface counted as what it is, and the other depths fitted.
+// The visibility if the receiver's own surface counted as lit and only the other depths were
+// fitted.
 double withOwnSurfaceApart(const Region& region, double receiver,
                            const std::function<double(double)>& warp, double range) {
   const double reach = warp(receiver) + ownSurface * range;

@@ -8,7 +8,7 @@
 namespace umbra {
 
 // Charges rounding, then a collapsed penumbra, then the early-out or the misfit. Mean, minimum and
-// maximum are those that were read, of depths under `warp`, which never falls.
+// maximum are as they were read, of depths under `warp`, which never falls.
 void chargePower(ErrorShares& shares, double mean, double min, double max, const Region& region,
                  double receiver, const std::function<double(double)>& warp);
 

@@ -38,7 +38,7 @@ std::vector<double> withoutSpread(const Technique& technique, const Region& regi
   std::erase_if(blocking.texels, [&](const RegionTexel& texel) { return texel.depth >= receiver; });
   std::vector<double> all = prefilteredRegion(region, technique, StorageFormat::Double);
   if (blocking.texels.empty()) return all;
-  // A second moment less that of the blocking depths about their own mean.
+  // Takes the variance of the blocking depths about their own mean out of the second moment.
   const std::vector<double> part = prefilteredRegion(blocking, technique, StorageFormat::Double);
   double weight = 0.0;
   for (const RegionTexel& texel : blocking.texels) weight += texel.weight;

@@ -9,22 +9,22 @@
 
 namespace umbra {
 
-// Which settings an evaluation heeds.
+// Which settings an evaluation applies.
 struct BoundSettings {
   bool reduction = true;
   bool minVariance = true;
 };
-// The visibility from other channels than the fetch's, or with fewer settings.
+// Evaluates the visibility from other channels than the fetch's, or without some settings.
 using BoundEvaluation =
     std::function<double(std::span<const double> channels, const BoundSettings&)>;
 
-// Takes away the reduction, then the rounding of the channels, then the smallest variance. Gives
+// Takes away the reduction, then the rounding of the channels, then the smallest variance. Returns
 // the channels in double.
 std::vector<double> chargeSettings(ErrorShares& shares, const Technique& technique,
                                    const Fetch& fetch, const BoundEvaluation& evaluate);
 
-// The channels, pairs of moments, if all blocking depths lay at their mean in each warp: what is
-// left is the variance between them and the lit ones.
+// The channels, pairs of moments, if all blocking depths lay at their mean in each warp: then only
+// the variance between the blocking and the lit depths is left.
 std::vector<double> withoutSpread(const Technique& technique, const Region& region,
                                   double receiver);
 
@@ -33,7 +33,7 @@ std::vector<double> withoutSpread(const Technique& technique, const Region& regi
 void chargeSpread(ErrorShares& shares, double visibilityWithoutSpread, bool early, double receiver,
                   ErrorCause cause, const std::string& whyBright);
 
-// Of the region's blocking depths: "occluders lie at 0.2 … 0.6, the receiver 0.15 behind the
+// Describes the region's blocking depths: "occluders lie at 0.2 … 0.6, the receiver 0.15 behind the
 // last of them".
 std::string occludersText(const Occlusion& occlusion, double receiver);
 
