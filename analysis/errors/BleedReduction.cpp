@@ -9,7 +9,8 @@
 namespace umbra {
 namespace {
 
-// Below the resolution of every format but double, whose rounding it covers.
+// The accuracy of a reduction. It is finer than every format but double, and covers double's
+// rounding.
 constexpr double rounding = 1e-12;
 
 double reduced(double bound, double amount) {
@@ -17,7 +18,7 @@ double reduced(double bound, double amount) {
 }
 
 // Where a technique mixes several reduced bounds, as LVSM does between its layers, the closed form
-// of one bound may fall short; what is missing is found by halving.
+// for one bound may be too small; the rest is then found by halving.
 double halved(const TechniqueResult& result, const Probe& probe, double low, double high) {
   const auto bleeds = [&](double amount) {
     return visibilityOf(*withBleedReduction(*result.technique, amount), probe, result,
@@ -31,8 +32,8 @@ double halved(const TechniqueResult& result, const Probe& probe, double low, dou
   return high;
 }
 
-// The reference falls only behind a depth of the region, so that of a visibility that falls with
-// the receiver's depth the largest darkening is at one of them.
+// The reference only falls where the receiver passes a depth of the region. A visibility that falls
+// with the receiver's depth is therefore darkened most at one of these depths.
 void addDarkening(const TechniqueResult& result, const Probe& probe, BleedReduction& found) {
   const std::unique_ptr<Technique> technique = withBleedReduction(*result.technique, found.amount);
   const EmpiricalCdf cdf = empiricalCdfOf(probe.region);
@@ -129,7 +130,7 @@ std::optional<BleedReduction> bleedReductionOnMap(const DepthMap& map, const Tec
   const Image<double> reference = referenceMap(map, kernel, receiver);
   std::vector<BoundSample> samples;
   samples.reserve(map.values().size());
-  Region place;  // without texels: a technique that bounds reads none
+  Region place;  // a region without texels: a technique that bounds reads none
   place.kernel = kernel;
   for (int y = 0; y < map.height(); ++y)
     for (int x = 0; x < map.width(); ++x) {

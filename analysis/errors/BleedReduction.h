@@ -30,35 +30,36 @@ struct BleedReduction {
 // p and reference r in [0,1]; the result is 1 for p = 1 > r.
 double smallestReduction(double bound, double reference);
 
-// What the technique is set to; 0 where it has no such parameter.
+// The amount that the technique is set to; 0 where it has no such parameter.
 double bleedReduction(const Technique& technique);
 // A copy of the technique with that amount; null where it has no such parameter.
 std::unique_ptr<Technique> withBleedReduction(const Technique& technique, double amount);
-// The parameter's largest value; none where the technique has no such parameter.
+// The parameter's largest value; nothing where the technique has no such parameter.
 std::optional<double> largestBleedReduction(const Technique& technique);
 
-// For the receiver of the probe, whatever amount the technique is set to. The darkening is that of
-// receivers at the region's own depths, on which the shadow's edge may fall. None where the
-// technique has no such parameter.
+// The reduction for the probe's receiver, whatever amount the technique is set to. The darkening is
+// that of receivers at the region's own depths, on which the shadow's edge may fall. Nothing where
+// the technique has no such parameter.
 std::optional<BleedReduction> bleedReductionOf(const Probe& probe, const TechniqueResult& result);
 
-// One receiver: the visibility without any reduction, and the truth.
+// One receiver: the visibility without any reduction, and the reference.
 struct BoundSample {
   double bound = 0.0, reference = 0.0;
 };
 
-// Those of a frame drawn without reduction: every pixel that receives shadow. `surfaces` and
-// `reference` as ShadowRenderer gives them.
+// The samples of a frame that was drawn without reduction, one for every pixel that receives
+// shadow. `surfaces` and `reference` are those of ShadowRenderer.
 std::vector<BoundSample> boundSamplesOf(const Image<float>& surfaces,
                                         const Image<float>& reference);
 
-// For many receivers, such as the pixels of a frame: the smallest amount that leaves every one in
-// full shadow (reference 0) dark, at most `largest`. A penumbra's bound reaches 1 before its
-// reference does, so that no amount below 1 would do for those as well.
+// The reduction for many receivers, such as the pixels of a frame: the smallest amount, up to
+// `largest`, that leaves every receiver in full shadow (reference 0) dark. A penumbra's bound
+// reaches 1 before its reference does, so that no amount below 1 would be enough for receivers in a
+// penumbra.
 BleedReduction bleedReductionOver(std::span<const BoundSample> samples, double largest);
 
-// For every texel of a map as a receiver at depth `receiver`: point reads of the prefiltered map.
-// None where the technique has no such parameter.
+// The reduction for receivers at depth `receiver` at every texel of a map, by point reads of the
+// prefiltered map. Nothing where the technique has no such parameter.
 std::optional<BleedReduction> bleedReductionOnMap(const DepthMap& map, const Technique& technique,
                                                   const Kernel& kernel, StorageFormat format,
                                                   double receiver);

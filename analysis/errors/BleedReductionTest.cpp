@@ -51,8 +51,8 @@ TEST(BleedReduction, TwoPlanesNeedNone) {
   EXPECT_TRUE(found.removesAll);
 }
 
-// Lauritzen 2008, eq. 3.4: A and B fill half the region each and both hide C. What is taken from
-// C is also taken from B, on which A's shadow is exact before: ½ becomes (½ − a)/(1 − a).
+// Lauritzen 2008, eq. 3.4: A and B fill half of the region each, and both hide C. The reduction
+// that C needs also acts on B, on which A's shadow is exact without it: ½ becomes (½ − a)/(1 − a).
 TEST(BleedReduction, ThreePlanesPayWithAShadowOnTheSecond) {
   const double a = 0.2, b = 0.5, c = 0.8, dx = b - a, dy = c - b;
   const double bleeding = 0.25 * dx * dx / (0.5 * dx * dx + dx * dy + dy * dy);
@@ -72,7 +72,7 @@ TEST(BleedReduction, DoesNotDependOnTheAmountThatIsSet) {
   EXPECT_EQ(reductionOf(probe).amount, plain.amount);
 }
 
-// In front of the mean the bound is 1, and stays 1 whatever is cut off.
+// In front of the mean the bound is 1, and stays 1 whatever the amount.
 TEST(BleedReduction, CannotRemoveABoundOfOne) {
   const BleedReduction found = reductionOf(probeOf({0.1, 0.9, 0.9, 0.9}, 0.5, "vsm"));
   EXPECT_FALSE(found.removesAll);

@@ -8,7 +8,7 @@
 namespace umbra {
 namespace {
 
-// What all techniques are measured on.
+// The settings that are the same for all techniques of a comparison.
 struct Comparison {
   const DepthMap& map;
   const Kernel& kernel;
@@ -21,7 +21,7 @@ Metrics comparePrefiltered(const Comparison& on, const Technique& technique,
                            const Image<double>& reference) {
   const Image<double> channels = prefilteredMap(on.map, technique, on.kernel, on.format);
   MetricsSum sum;
-  Region place;  // without texels: the technique reads none
+  Region place;  // a region without texels: the technique reads none
   place.kernel = on.kernel;
   for (int y = 0; y < on.map.height(); ++y) {
     on.eachRow();
@@ -35,7 +35,8 @@ Metrics comparePrefiltered(const Comparison& on, const Technique& technique,
   return sum.result();
 }
 
-// The regions of a map, one after another: with all their taps only where somebody needs them.
+// Reads the regions of a map, one after another. It gathers all taps of a region only where they
+// are needed.
 class RegionReader {
  public:
   explicit RegionReader(const Comparison& on) : on_(on), weights_(on.kernel.weights()) {
@@ -62,8 +63,9 @@ class RegionReader {
     farthest_.texels[0].depth = depths[1];
   }
 
-  // `visibility` of a region. It never falls when a depth grows, so that it is known from two
-  // regions of one depth, the smallest and the largest, where it is the same for both.
+  // Evaluates `visibility` of the region. It never falls when a depth grows. Where it is the same
+  // for a region that has only the smallest depth and one that has only the largest, it therefore
+  // has this value.
   template <class Visibility>
   double visibility(const Visibility& visibility) {
     const double least = visibility(nearest_);
@@ -72,7 +74,7 @@ class RegionReader {
     return visibility(taps_);
   }
 
-  // Of the region; `image` is that of the reference image.
+  // The reference of the region; `image` is its value in the reference image.
   double reference(double image) const {
     if (tapped_) return referenceVisibility(taps_, on_.receiver);
     const double least = referenceVisibility(nearest_, on_.receiver);
@@ -80,7 +82,7 @@ class RegionReader {
   }
 
  private:
-  // regionAtTexel, in the memory and with the weights of the last one.
+  // Does the same as regionAtTexel, but reuses the memory and the weights.
   void gather() {
     const DepthMap& map = on_.map;
     const int x = nearest_.x, y = nearest_.y, first = -on_.kernel.effectiveRadius();
@@ -101,12 +103,12 @@ class RegionReader {
   Image<double> extremes_;  // two channels: least and greatest depth of every texel's region
   Region nearest_, farthest_;
   std::vector<double> weights_;  // along either axis
-  Region taps_;                  // of the texel moved to, where they were gathered
+  Region taps_;                  // the present texel's, where they were gathered
   bool tapped_ = false;
 };
 
-// Where taps were gathered their own sum is the reference: in another order, as in the reference
-// image, it would differ by rounding from what the techniques add up themselves.
+// Where taps were gathered, their own sum is the reference: a sum in another order, as in the
+// reference image, would differ by rounding from the sum that the techniques use.
 std::vector<Metrics> compareOverRegions(const Comparison& on,
                                         const std::vector<const Technique*>& techniques,
                                         const Image<double>& reference) {

@@ -8,10 +8,11 @@
 namespace umbra {
 namespace {
 
-// Both routes add at most 121 products of one value and one weight, in other orders; n · 2u · max.
+// Both ways add at most 121 products of one value and one weight, in different orders: n · 2u ·
+// max.
 constexpr double tapRounding = 121 * 2.3e-16;
 
-// A probe at every texel.
+// Compares by a probe at every texel.
 std::vector<Metrics> byBruteForce(const DepthMap& map,
                                   const std::vector<std::shared_ptr<const Technique>>& techniques,
                                   const Kernel& kernel, StorageFormat format, double receiver) {
@@ -118,7 +119,7 @@ TEST(CompareMapOnce, KeepsTheOrderOfTheTechniques) {
   EXPECT_NE(a[0].rmse, a[1].rmse);
 }
 
-// What the caller throws between two rows ends the work, of either kind of technique.
+// An exception that the caller throws between two rows ends the work, for either kind of technique.
 TEST(CompareMapOnce, EndsWhereTheCallerThrows) {
   const DepthMap map = randomMap(16, 16, 26);
   const TechniqueCatalogue catalogue = allTechniques();
@@ -136,8 +137,8 @@ TEST(CompareMapOnce, EndsWhereTheCallerThrows) {
   }
 }
 
-// Without a prefilter every region is one blocking texel, and all that bleeds is vsm's smallest
-// variance in Lauritzen 2008, eq. 3.3.
+// Without a prefilter every region is one blocking texel: only vsm's smallest variance makes it
+// bleed, by Lauritzen 2008, eq. 3.3.
 TEST(CompareMapOnce, FindsTheClosedFormOfSingleTexels) {
   const double a = 0.2, b = 0.6, c = 0.75;
   DepthMap map(8, 8);

@@ -10,7 +10,7 @@
 namespace umbra {
 namespace {
 
-// Whether at least half of what blocks lies within `distance` before the receiver.
+// Whether at least half of the blocking weight lies within `distance` before the receiver.
 bool blockersTouch(const Probe& probe, double distance) {
   double blocking = 0.0, near = 0.0;
   for (const RegionTexel& texel : probe.region.texels) {
@@ -163,7 +163,7 @@ Image<std::uint8_t> lassoMask(std::span<const LassoPoint> polygon, int width, in
     }
     std::sort(crossings.begin(), crossings.end());
     for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
-      // Centres x + ½ in [from, to).
+      // The pixels whose centres x + ½ lie in [from, to).
       const int from = int(std::ceil(std::clamp(crossings[i], 0.0, double(width)) - 0.5));
       const int to = int(std::ceil(std::clamp(crossings[i + 1], 0.0, double(width)) - 0.5));
       for (int x = from; x < to; ++x) mask(x, y) = 1;

@@ -43,14 +43,16 @@ TEST(ErrorDecomposition, TouchingOccludersLeak) {
   const ErrorParts parts = decomposed(bound, 0.0, probe);
   EXPECT_EQ(part(parts, ErrorPart::ContactLeak), bound);
   EXPECT_EQ(part(parts, ErrorPart::Bleeding), 0.0);
-  // One leaf that happens to touch does not make a contact of what bleeds from afar.
+  // One leaf that happens to touch the receiver does not turn bleeding from afar into a leak at a
+  // contact.
   const Probe leaf = probeWith({0.1, 0.15, 0.2, 0.498}, 0.5, *vsm);
   EXPECT_GT(part(decomposed(0.2, 0.0, leaf), ErrorPart::Bleeding), 0.0);
 }
 
 TEST(ErrorDecomposition, ReductionIsTakenFromTheBound) {
   const auto reduced = withBleedReduction(*allTechniques().make("vsm"), 0.3);
-  // Two planes, half of each: the bound is ½ and exact, reduced to (½ − 0.3)/0.7.
+  // There are two planes with half of the region each. The bound is ½ and exact; reduced it is (½ −
+  // 0.3)/0.7.
   const Probe probe = probeWith({0.2, 0.8}, 0.8, *reduced);
   ASSERT_EQ(probe.techniques.size(), 2u);
   const double v = probe.techniques[0].visibility;
@@ -74,7 +76,8 @@ TEST(ErrorDecomposition, WhatIsStoredDiffersByItsPrecision) {
 
 TEST(ErrorDecomposition, PowerCdfOverDarkens) {
   const auto power = allTechniques().make("power-cdf");
-  const Probe probe = probeWith({0.2, 0.5, 0.8}, 0.8, *power);  // its own maximum is dark
+  const Probe probe =
+      probeWith({0.2, 0.5, 0.8}, 0.8, *power);  // the receiver at the region's own maximum is dark
   const ErrorParts parts = decomposed(probe.techniques[0].visibility, probe.reference, probe);
   EXPECT_NEAR(part(parts, ErrorPart::OverDarkening), -1.0 / 3.0, 1e-12);
 }
@@ -165,7 +168,7 @@ TEST(ErrorDecomposition, ASelectionCountsItsOwnPixels) {
   EXPECT_NEAR(sums.error, expected / 9.0, 1e-15);
 }
 
-// Three pixels in a row, of which the last receives no shadow.
+// There are three pixels in a row; the last one receives no shadow.
 ErrorDecomposition threePixels() {
   ErrorDecomposition taken = emptyDecomposition(3, 1);
   taken.receives(0, 0) = taken.receives(1, 0) = 1;

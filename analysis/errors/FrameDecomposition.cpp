@@ -50,8 +50,8 @@ Image<float> referenceOf(const DrawnFrame& frame, int stride,
 int decompositionStride(const DrawnFrame& frame, const Technique& technique,
                         const DecompositionSettings& how, double mostTaps,
                         const std::function<void()>& check) {
-  constexpr int step = 16;              // judged by every sixteenth pixel along both axes
-  constexpr double referenceTap = 0.1;  // what a tap costs of which no channels are made
+  constexpr int step = 16;  // the cost is judged by every sixteenth pixel along both axes
+  constexpr double referenceTap = 0.1;  // the cost of a tap of which no channels are made
   const bool reduces = bleedReduction(technique) > 0.0;
   double cost = 0.0;
   for (int y = 0; y < frame.surfaces.height(); y += step)

@@ -9,22 +9,21 @@
 
 namespace umbra {
 
-// `reference` as ShadowRenderer gives it; `technique` as the frame was drawn with it, adapted to
-// the first cascade's map. Of every `stride`-th pixel of every `stride`-th row. `progress` is
-// called now and then with the part that is done, 0 … 1; what it throws stops the work.
+// Decomposes every `stride`-th pixel of every `stride`-th row. `reference` is ShadowRenderer's;
+// `technique` is the frame's, adapted to the first cascade's map. `progress` is called now and then
+// with the part that is done, 0 … 1; an exception that it throws stops the work.
 ErrorDecomposition decomposeFrame(const DrawnFrame& frame, const Image<float>& reference,
                                   const std::shared_ptr<const Technique>& technique,
                                   const DecompositionSettings& how, int stride,
                                   const std::function<void(double)>& progress);
 
-// Exact percentage-closer filtering of the pixels that this takes, like ShadowRenderer's reference
-// but for the last bits, without asking the GPU; 1 elsewhere.
+// Exact percentage-closer filtering of the pixels that decomposeFrame takes, without the GPU. It
+// equals ShadowRenderer's reference but for the last bits. Other pixels are 1.
 Image<float> referenceOf(const DrawnFrame& frame, int stride,
                          const std::function<void(double)>& progress);
 
-// The stride at which both together take as long as the technique's reads of some `mostTaps` taps,
-// or less.
-// What `check`, called now and then, throws stops it.
+// The stride at which both functions together take no longer than the technique's reads of
+// `mostTaps` taps. `check` is called now and then; an exception that it throws stops the work.
 int decompositionStride(
     const DrawnFrame& frame, const Technique& technique, const DecompositionSettings& how,
     double mostTaps, const std::function<void()>& check = [] {});

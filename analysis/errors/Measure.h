@@ -1,4 +1,4 @@
-// A quantity by name, from what was probed or compared.
+// Looks up a quantity in a probe or a comparison.
 #pragma once
 
 #include <optional>
@@ -13,14 +13,15 @@ namespace umbra {
 // The result of the technique with this id; null where the probe has none.
 const TechniqueResult* techniqueResult(const Probe& probe, std::string_view technique);
 
-// Of a probe. None for a technique that the probe has no result of, and for a quantity of a frame.
+// The quantity at a probe. Nothing for a technique of which the probe has no result, and for a
+// quantity of a frame.
 std::optional<double> measured(const Probe& probe, Quantity quantity, std::string_view technique);
 
-// Of a frame; `quantity` must be one of those (QuantityInfo::ofFrame).
+// The quantity of a frame; it must be one of these (QuantityInfo::ofFrame).
 double measured(const Metrics& metrics, Quantity quantity);
 
-// Why the technique's visibility at the probe is what it is, in one sentence with the region's
-// numbers; "" where the technique explains nothing.
+// One sentence, with the region's numbers, that says why the technique's visibility at the probe is
+// what it is; "" where the technique explains nothing.
 std::string causeOf(const Probe& probe, std::string_view technique);
 
 }  // namespace umbra

@@ -1,4 +1,4 @@
-// How far techniques are from the truth over many receivers.
+// How far techniques are from the reference over many receivers.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@ namespace umbra {
 // Errors from here on can be seen: half a step of an 8-bit picture.
 inline constexpr double visibleError = 1.0 / 512.0;
 
-// Of errors e = visibility − reference.
+// Statistics of errors e = visibility − reference.
 struct Metrics {
   std::size_t samples = 0;
   double rmse = 0.0, mae = 0.0;

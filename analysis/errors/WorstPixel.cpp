@@ -33,7 +33,7 @@ class SpotMeans {
 };
 
 // How far z_r is from linear between a pixel's neighbours, along either axis: near 0 inside a flat
-// or gently curved surface, large at edges; 1 where nothing is lit or shadowed.
+// or gently curved surface, large at edges, and 1 where there is no light or shadow.
 double bend(const Image<float>& surfaces, int x, int y) {
   const auto at = [&](int px, int py) {
     return surfaces(std::clamp(px, 0, surfaces.width() - 1),
@@ -49,7 +49,7 @@ double bend(const Image<float>& surfaces, int x, int y) {
   return std::min(1.0, double(std::max(std::abs(across), std::abs(along))));
 }
 
-// The pixel with the largest error around the middle of a spot.
+// The pixel with the largest error in the spot about `middle`.
 PicturePixel worstOfSpot(const Image<float>& surfaces, const Image<float>& reference,
                          PicturePixel middle) {
   PicturePixel worst = middle;
@@ -72,7 +72,7 @@ std::optional<PicturePixel> worstBleeding(const Image<float>& surfaces,
   const SpotMeans bends(width, height, [&](int x, int y) { return bend(surfaces, x, y); });
   std::optional<PicturePixel> inUmbra, anywhere;
   double mostInUmbra = visible, most = visible;
-  // Away from the border, so that there is something to see around the spot.
+  // Spots near the border are left out, so that the surroundings of the spot can be seen.
   const int air = std::max(reach, std::min(width, height) / 12);
   for (int y = air; y < height - air; ++y)
     for (int x = air; x < width - air; ++x) {

@@ -12,10 +12,11 @@ struct PicturePixel {
   int x = 0, y = 0;
 };
 
-// `surfaces` and `reference` as ShadowRenderer gives them. The worst pixel of the spot with the
-// largest mean error of visibility among those that are fully in shadow and on one smooth surface:
-// light that bleeds where a person can see it and point at it, not a stray pixel of a leaf. Where
-// there is no such spot, of those that are smooth only. None where no spot bleeds visibly.
+// Finds the spot with the largest mean error among those that are fully in shadow and on one smooth
+// surface, and in it the worst pixel. This is light that bleeds where a person can see it and point
+// at it, not a stray pixel of a leaf. Where there is no such spot, one that is only smooth is
+// taken. Nothing where no spot bleeds so that anybody sees it. `surfaces` and `reference` are those
+// of ShadowRenderer.
 std::optional<PicturePixel> worstBleeding(const Image<float>& surfaces,
                                           const Image<float>& reference);
 

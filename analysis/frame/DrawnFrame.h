@@ -1,5 +1,4 @@
-// A drawn frame as plain data: what every pixel of it reads can be told on any thread, without
-// OpenGL.
+// A drawn frame as plain data, from which any thread can tell what each pixel read, without OpenGL.
 #pragma once
 
 #include <functional>
@@ -15,29 +14,30 @@ namespace umbra {
 
 struct DrawnFrame {
   FrameSettings settings;
-  // Both as ShadowRenderer gives them. Footprints are empty where the frame's reads have none.
+  // Both are those of ShadowRenderer. Footprints are empty where the frame's reads have none.
   Image<float> surfaces, footprints;
   std::vector<Cascade> cascades;
-  std::vector<const DepthMap*> maps;  // of each cascade; they must outlive what refers to them
+  std::vector<const DepthMap*> maps;  // one for each cascade; they must outlive what refers to them
 };
 
-// Of a pixel that shows one, without its place in the world; both images as in DrawnFrame.
+// The surface of a pixel that shows one, without its place in the world; both images are as in
+// DrawnFrame.
 SurfacePoint surfaceAt(const Image<float>& surfaces, const Image<float>& footprints, int x, int y);
 
-// A cascade's map; asked for only where it is read.
+// Gives a cascade's map; it is called only for maps that are read.
 using MapOf = std::function<const DepthMap&(int cascade)>;
-// A read in the format of a frame that was drawn with `settings`, without techniques. Refers to the
-// maps.
+// A request for a read in a frame that was drawn with `settings`, in its format, without
+// techniques. It refers to the maps.
 ProbeRequest requestOf(const FrameSettings& settings, const std::vector<Cascade>& cascades,
                        const MapOf& mapOf, const SurfacePoint& surface);
-// That of a pixel which shows a surface.
+// The request for a pixel that shows a surface.
 ProbeRequest requestAt(const DrawnFrame& frame, int x, int y);
 
-// Roughly how many taps the frame's pixels read that `counts` says yes to: judged by every
-// sixteenth of them along both axes.
+// Roughly how many taps are read by the pixels for which `counts` is true: judged by every
+// sixteenth pixel along both axes.
 double tapsOf(const DrawnFrame& frame, const std::function<bool(int x, int y)>& counts);
-// Of a frame with so many taps, every how-manieth pixel of every how-manieth row reads `most` or
-// fewer in all; at least 1.
+// The smallest stride s ≥ 1 at which every s-th pixel of every s-th row reads at most `most` taps
+// in all, in a frame whose pixels read `taps`.
 int strideFor(double taps, double most);
 
 }  // namespace umbra

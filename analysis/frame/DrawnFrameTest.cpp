@@ -11,7 +11,8 @@ namespace {
 
 constexpr int width = 40, height = 24;
 
-// A frame whose pixels read a map evenly, at one depth; every fifth column is turned away.
+// A frame whose pixels read a map evenly, at one depth; every fifth column is turned away from the
+// light.
 struct Frame {
   explicit Frame(const char* id, double reduction = 0.0) {
     const std::unique_ptr<Technique> made = allTechniques().make(id);

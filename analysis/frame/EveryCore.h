@@ -5,11 +5,11 @@
 
 namespace umbra {
 
-// Calls `work` for 0 … count − 1 on every core, in any order; the first exception ends it and is
-// thrown. `between` is called by the calling thread alone, with how many have been begun: with 0
-// before any is, unless there is none, and then before each of its own shares. It tells how far the
-// work is, and what it throws stops it: the first time before anything is done, so that even the
-// least work can be stopped.
+// Calls `work` for 0 … count − 1 on every core, in any order; the first exception ends the work and
+// is thrown. Only the calling thread calls `between`, with the number of calls that have begun:
+// with 0 before the first one (unless count is 0), and then before each call of its own. `between`
+// may show progress. An exception that it throws stops the work; since it is first called before
+// any work is done, even the shortest work can be stopped.
 void onEveryCore(int count, const std::function<void(int)>& work,
                  const std::function<void(int)>& between);
 

@@ -39,7 +39,8 @@ TEST(EveryCore, TheFirstExceptionEndsTheWork) {
                std::runtime_error);
 }
 
-// Were it asked only between the calling thread's own shares, other threads could have taken all.
+// If `between` were called only before the calling thread's own calls, other threads could have
+// done all the work by then.
 TEST(EveryCore, EvenTheLeastWorkCanBeStopped) {
   int done = 0;
   for (int times = 0; times < 300; ++times)

@@ -27,18 +27,19 @@ AxisRead axisRead(double position, int size, ReadFilter filter) {
   }
   // Texel centres sit at half-integers.
   const double corner = position * size - 0.5, whole = std::floor(corner);
-  // A box may lie half beyond the map's border, where a texture unit reads the edge texel's.
+  // A box may lie half beyond the map's border; there a texture unit reads the edge texel's box.
   if (filter == ReadFilter::SummedArea) return {int(whole), int(whole) + 1, corner - whole};
   return {inside(whole), inside(whole + 1.0), corner - whole};
 }
 
-// A square of prefiltered texels. A box of fixed size at any position is a bilinear read of the
-// same box about the texels, whose channels a table of sums does not round.
+// A square of prefiltered texels. Reading a box of fixed size at any position equals a bilinear
+// read of the same box about the texels; a table of sums does not round the channels of these.
 class Tile {
  public:
   Tile(const ReadSubject& subject, int left, int top)
       : subject_(subject), left_(left), top_(top), layout_(subject.technique.channels()) {
-    if (!subject.technique.info().prefilterable) return;  // needs each read's own texels
+    if (!subject.technique.info().prefilterable)
+      return;  // such a technique needs each read's own texels
     const int side = tileSide + 2 * margin();
     const DepthMap crop = croppedMap(subject.map, left - margin(), top - margin(), side, side);
     if (subject.filter == ReadFilter::SummedArea)
@@ -77,18 +78,18 @@ class Tile {
       nearest = std::min(nearest, extremes_(column, row, 0));
       farthest = std::max(farthest, extremes_(column, row, 1));
     }
-    Region place;  // without texels: the technique reads none
+    Region place;  // a region without texels: the technique reads none
     place.kernel = subject_.kernel;
     return {subject_.technique.visibility({mixed_, place}, read.receiver),
             referenceOf(read, nearest, farthest)};
   }
 
  private:
-  // The kernel's reach beyond the tile's own texels and one more about these.
+  // The kernel's reach beyond the tile's own texels, and one texel more for bilinear reads.
   int margin() const { return subject_.kernel.effectiveRadius() + 1; }
 
   Region regionFor(const MapRead& read) const {
-    const double box = 2.0 * subject_.kernel.effectiveRadius() + 1.0;  // only a summed area has one
+    const double box = 2.0 * subject_.kernel.effectiveRadius() + 1.0;  // only summed areas use it
     return regionOf(subject_.map, subject_.kernel,
                     {subject_.filter, read.u, read.v, {box, box, 1}});
   }
@@ -99,7 +100,7 @@ class Tile {
     return referenceVisibility(regionFor(read), read.receiver);
   }
 
-  // What is not prefilterable reads the region's texels and no channels.
+  // A technique that is not prefilterable reads the region's texels and no channels.
   ReadVisibility evaluateTexels(const MapRead& read) const {
     const Region region = regionFor(read);
     return {subject_.technique.visibility({{}, region}, read.receiver),
@@ -107,13 +108,13 @@ class Tile {
   }
 
   const ReadSubject& subject_;
-  int left_, top_;  // of the texels without the margin
+  int left_, top_;  // the first texel without the margin
   std::vector<Channel> layout_;
   Image<double> channels_, extremes_;
   std::vector<double> mixed_;
 };
 
-// The reads of each tile, by their numbers: those of tile t from begins[t] up to begins[t + 1].
+// The reads of each tile, as indices: those of tile t from begins[t] up to begins[t + 1].
 struct Tiles {
   int across = 0, down = 0;
   std::vector<std::uint32_t> begins, numbers;

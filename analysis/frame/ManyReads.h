@@ -1,5 +1,5 @@
-// Many reads of one map: as a probe takes them one by one, at a cost that does not grow with the
-// kernel where the technique is prefilterable.
+// Many reads of one map. Each gives what a probe would; for a prefilterable technique the cost does
+// not grow with the kernel.
 #pragma once
 
 #include <functional>
@@ -26,13 +26,13 @@ struct ReadSubject {
   const DepthMap& map;
   const Technique& technique;  // parameters set, adapted to the map
   Kernel kernel;
-  // Point, bilinear or summed area; the latter's box is as wide as the kernel's window.
+  // Point, bilinear or summed area; a summed area's box is as wide as the kernel's window.
   ReadFilter filter = ReadFilter::Bilinear;
   StorageFormat format = StorageFormat::Float;
 };
 
-// One result for each read, in their order. Works on every core; `progress`
-// is called on the calling thread alone with the part that is done, 0 … 1; what it throws ends the
+// Gives one result for each read, in their order. Works on every core. `progress` is called on the
+// calling thread alone with the part that is done, 0 … 1; an exception that it throws ends the
 // work.
 std::vector<ReadVisibility> evaluateReads(const ReadSubject& subject,
                                           std::span<const MapRead> reads,

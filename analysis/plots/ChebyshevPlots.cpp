@@ -19,7 +19,7 @@ double chebyshevBound(double mean, double variance, double receiver) {
   return variance / (variance + distance * distance);
 }
 
-// With μ = B − sΔx and σ² = s(1 − s)Δx², eq. 3.3 at C.
+// This is eq. 3.3 at C, with μ = B − sΔx and σ² = s(1 − s)Δx².
 double bleedingOfTwoOccluders(double dx, double dy, double shareOfA) {
   const double variance = shareOfA * (1.0 - shareOfA) * dx * dx;
   const double distance = dy + shareOfA * dx;

@@ -12,16 +12,16 @@ namespace umbra {
 // variance in one unit; a region without variance is dark behind its mean.
 double chebyshevBound(double mean, double variance, double receiver);
 
-// Two occluders A and B, both nearer than the receiver C, that cover the shares s and 1 − s of a
-// region: the truth is 0. `dx` = B − A, `dy` = C − B, both ≥ 0 and one of them > 0. For s = ½ it is
+// Two occluders A and B, both nearer than the receiver C, cover the shares s and 1 − s of a region:
+// the reference is 0. `dx` = B − A, `dy` = C − B, both ≥ 0 and one of them > 0. For s = ½ this is
 // Lauritzen 2008, eq. 3.4: ¼Δx² / (½Δx² + ΔxΔy + Δy²).
 double bleedingOfTwoOccluders(double dx, double dy, double shareOfA = 0.5);
 
-// A region's occluders replaced by two planes with the same nearest and farthest depth and the same
-// mean. None where nothing lies in front of the receiver.
+// Replaces a region's occluders by two planes with the same nearest and farthest depth and the same
+// mean. Nothing where no occluder lies in front of the receiver.
 struct TwoOccluders {
   double a = 0.0, b = 0.0, c = 0.0;  // depths of A, B and the receiver
-  double shareOfA = 0.5;             // of the occluders' weight; any where A and B coincide
+  double shareOfA = 0.5;  // share of the occluders' weight; arbitrary where A and B coincide
 };
 std::optional<TwoOccluders> twoOccludersOf(const Probe& probe);
 

@@ -1,4 +1,4 @@
-// Lloyd's relaxation, one iteration at a time, with all that came before it kept to be looked at.
+// Lloyd's relaxation, one iteration at a time, with a record of all iterations so far.
 #pragma once
 
 #include <cstddef>
@@ -10,22 +10,22 @@
 
 namespace umbra {
 
-// Where an iteration left the splits.
+// The state that an iteration left.
 struct LloydFrame {
   std::vector<double> splits;  // ascending depths; μ + σ may lie a little beyond 1
   double cost = 0.0;           // of these splits, depth²
-  int teleports = 0;           // up to here
+  int teleports = 0;           // all teleports so far
 };
 
 class LloydRun {
  public:
-  // Frame 0 is `start`: ascending, one value or more for a run that can advance.
+  // Frame 0 is `start`: ascending, with at least one value if the run is to advance.
   LloydRun(std::shared_ptr<const SortedSamples> samples, std::vector<double> start);
 
   const std::vector<LloydFrame>& frames() const { return frames_; }
   std::vector<double> costs() const;
-  // One iteration that moves every split (Lauritzen 2008, §4.1.3); with a teleport where a split
-  // has no samples. False, and no further frame, where nothing moves any more.
+  // Does one iteration that moves every split (Lauritzen 2008, §4.1.3), with a teleport where a
+  // split has no samples. Returns false, and adds no frame, where nothing moves any more.
   bool advance();
 
  private:

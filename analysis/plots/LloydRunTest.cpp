@@ -37,13 +37,13 @@ TEST(LloydRun, NeverCostsMore) {
 }
 
 TEST(LloydRun, CountsATeleportAsOneIteration) {
-  // Both clusters are nearest to the first split: the second one has nothing.
+  // Both clusters are nearest to the first split: the second one has no samples.
   const std::vector<WeightedSample> samples{{0.1, 1.0}, {0.2, 1.0}};
   const LloydRun run = finished(samples, {0.15, 0.9});
   ASSERT_EQ(run.frames().size(), 2u);
   EXPECT_EQ(run.frames()[0].teleports, 0);
   EXPECT_EQ(run.frames()[1].teleports, 1);
-  // As exact as weighted sums about mid-depth are.
+  // Weighted sums about mid-depth are so exact.
   EXPECT_NEAR(run.frames()[1].splits[0], 0.1, 1e-15);
   EXPECT_NEAR(run.frames()[1].splits[1], 0.2, 1e-15);
 }

@@ -8,14 +8,16 @@ namespace umbra {
 
 struct MapHistogramOptions {
   int bins = 60;  // ≥ 1, of equal width over [0,1]
-  // y is log10(1 + count), in which one texel of a million is still seen and an empty bin is 0;
-  // else the share of the texels.
+  // y is log10(1 + count), which shows one texel among a million and is 0 for an empty bin;
+  // otherwise y is the share of the texels.
   bool logarithmic = true;
-  // Also the region's taps weighted by the kernel, as so many taps in all.
+  // Whether the region's taps are also shown weighted by the kernel, as the same number of taps in
+  // all.
   bool kernelWeights = true;
 };
 
-// Every depth of the map, all samples of its texels, and every tap of the probe's region.
+// Shows every depth of the map, with all samples of its texels, and every tap of the probe's
+// region.
 Plot mapHistogramPlot(const DepthMap& map, const Probe& probe,
                       const MapHistogramOptions& options = {});
 

@@ -15,7 +15,8 @@ namespace {
 constexpr std::string_view predictedColour = "#7b4fa3";
 constexpr std::string_view measuredColour = "#2563c9";
 
-// Of VSM, whose bound is predicted: reduction would cut its tail off.
+// VSM without light-bleeding reduction, which would cut off the tail of the bound that is
+// predicted.
 std::shared_ptr<const Technique> unreduced(const TechniqueResult& vsm) {
   return withBleedReduction(*vsm.technique, 0.0);
 }
@@ -29,7 +30,7 @@ std::string bothNumbers(const PlanesPrediction& prediction) {
          plot::fixed3(prediction.measured);
 }
 
-// The nearest plane covering `share`, the others what is left, in proportion.
+// Gives the nearest plane the share `share`, and the other planes the rest in their proportions.
 PlaneShares withNearestShare(const PlaneShares& planes, double share) {
   PlaneShares changed = planes;
   double others = 0.0;

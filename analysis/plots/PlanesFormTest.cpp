@@ -37,7 +37,7 @@ TEST(PlanesForm, ThreePlanesBleedByTheClosedForm) {
   }
 }
 
-// At the border of B part of C is seen too; a biased receiver is predicted as it is biased.
+// At the border of B part of C is seen as well; a receiver with a bias is predicted with that bias.
 TEST(PlanesForm, PredictsEveryMixtureAndBias) {
   const std::vector<double> planes{0.12, 0.74, 0.94};
   const Probe probe = measured(planes, 0.9395, {0.3, 0.5, 0.2});
@@ -71,7 +71,7 @@ TEST(PlanesForm, TheCurvesLieOverOneAnother) {
   ASSERT_EQ(plot.series.size(), 3u);
   for (std::size_t i = 0; i < plot.series[1].y.size(); ++i)
     EXPECT_NEAR(plot.series[1].y[i], plot.series[2].y[i], 1e-11);
-  // The smallest variance of 1e-6 shows where there is less, by no more than 1e-6/Δy².
+  // Where there is less variance, the smallest variance of 1e-6 has an effect of at most 1e-6/Δy².
   const double clamp = 1e-6 / (0.2 * 0.2) + 1e-12;
   const Plot coverage = coveragePlot(probe, *prediction);
   const PlotSeries& form = coverage.series[0];

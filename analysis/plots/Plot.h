@@ -34,15 +34,15 @@ struct PlotMarker {
   std::string label;
   std::string colour;
   bool dashed = true;
-  bool draggable = false;  // in a window, along its axis
+  bool draggable = false;  // a window lets it be dragged along its axis
 };
 
 // A stretch of x behind the series, such as a layer of depth.
 struct PlotBand {
   double low = 0.0, high = 1.0;
-  std::string name;  // what it is, beside the values at an x within it
+  std::string name;  // the text that is shown for an x within the band
   std::string colour;
-  bool hatched = false;  // else filled
+  bool hatched = false;  // hatched; otherwise filled
 };
 
 // A thick bar from (x, from) to (x, to): the error at the receiver.

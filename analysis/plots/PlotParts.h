@@ -1,4 +1,4 @@
-// What the plots of a region have in common.
+// Shared parts of the plots of a region.
 #pragma once
 
 #include <functional>
@@ -18,7 +18,7 @@ std::string fixed3(double value);   // "0.250"
 std::string signed3(double value);  // "+0.250", "−0.010"
 std::string depthLabel();
 
-// "Variance (VSM)" is "VSM" in a legend, where room is scarce.
+// The short name in parentheses of a title, for legends: "Variance (VSM)" gives "VSM".
 std::string legendName(const TechniqueInfo& info);
 
 // The receiver's depth z_r.
@@ -27,10 +27,10 @@ PlotMarker receiverMarker(double receiver);
 // An error that is too small to be seen is not drawn.
 void addError(Plot& plot, double x, double from, double to, std::string label);
 
-// z_r and the region's depths with air on both sides, within [0,1].
+// A range around z_r and the region's depths, with some space on both sides, within [0,1].
 PlotRange rangeAround(const Probe& probe);
 
-// `function` at curveSamples points, ends included.
+// Samples `function` at curveSamples points, ends included.
 PlotSeries sampled(std::string name, std::string_view colour, PlotRange range,
                    const std::function<double(double)>& function);
 
@@ -40,7 +40,7 @@ std::string tint(std::string_view colour, double share);
 // The probe's result of technique `id`; null where there is none.
 const TechniqueResult* resultNamed(const Probe& probe, std::string_view id);
 
-// A technique's numeric parameter, or `otherwise` where it has none of that name.
+// The technique's numeric parameter of that name, or `otherwise` where it has none.
 double parameterOf(const Technique& technique, std::string_view name, double otherwise);
 
 }  // namespace umbra::plot

@@ -23,7 +23,7 @@ Probe probeOf(const DepthMap& map, double receiver) {
                     .techniques = everyTechnique(map)});
 }
 
-// What a drawing takes for granted.
+// The properties that the drawing of plots relies on.
 void expectDrawable(const Plot& plot) {
   EXPECT_FALSE(plot.name.empty());
   EXPECT_FALSE(plot.title.empty());

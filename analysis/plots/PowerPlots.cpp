@@ -17,7 +17,7 @@ std::string betaText(double beta) {
   return std::isinf(beta) ? "∞" : shortNumber(beta);
 }
 
-// The region's distribution over t; of a region of one depth a step at the far end.
+// The region's distribution over t. For a region of one depth it is a step at the far end.
 PlotSeries empirical(const Probe& probe) {
   const RegionStatistics& s = probe.statistics;
   const EmpiricalCdf cdf = empiricalCdfOf(probe.region);
@@ -91,7 +91,7 @@ Plot residualPlot(const Probe& probe) {
     const double sample = std::lerp(s.min, s.max, double(i) / (plot::curveSamples - 1));
     for (; next < cdf.depth.size() && cdf.depth[next] <= sample; ++next) {
       const double z = cdf.depth[next];
-      // Without a finite β the fit jumps with the region.
+      // Without a finite β the fit jumps where the region's distribution does.
       add(z, std::isinf(s.beta) ? 0.0 : powerCdf(s, z), before);
       before = cdf.cumulative[next];
       add(z, powerCdf(s, z), before);

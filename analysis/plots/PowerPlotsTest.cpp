@@ -10,7 +10,7 @@
 namespace umbra {
 namespace {
 
-// n quantiles of t^β over [0.2, 0.8], and its ends with next to no weight.
+// A region of n quantiles of t^β over [0.2, 0.8], and of its ends with hardly any weight.
 Probe drawnFrom(double beta, int n) {
   std::vector<double> depths{0.2, 0.8}, weights{0.0, 0.0};
   for (int i = 0; i < n; ++i) {

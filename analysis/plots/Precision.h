@@ -12,13 +12,13 @@ namespace umbra {
 
 struct FormatPrecision {
   StorageFormat format = StorageFormat::Float;
-  // Why the technique cannot be stored so; then the rest is empty.
+  // Why the format cannot store the technique's channels; the other members are then empty.
   std::string refusal;
-  // Of each parameter that the format limits, one sentence. Errors are those of the technique with
-  // these limits, so that they are rounding alone.
+  // One sentence for each parameter that the format limits. Errors are measured against the same
+  // limits, so that they are rounding alone.
   std::vector<std::string> limits;
   std::vector<double> channels;  // as read, stored in the format
-  std::vector<double> errors;    // of these: |stored − double|
+  std::vector<double> errors;    // |stored − double| of each channel
   double visibility = 0.0;
   double visibilityError = 0.0;  // |stored − double|
 };
@@ -28,12 +28,12 @@ struct TechniquePrecision {
   std::vector<FormatPrecision> formats;  // unorm8, unorm16, half, float
 };
 
-// At the place of the request, whatever format it names.
+// Measures at the request's place; the request's own format is not used.
 TechniquePrecision precisionOf(const ProbeRequest& request,
                                const std::shared_ptr<const Technique>& technique);
 
-// The errors of every channel, 1 … n, and of the visibility, n + 1, as log10; an error of 0 has no
-// mark.
+// Plots the errors of every channel, 1 … n, and of the visibility, n + 1, as log10. An error of 0
+// has no mark.
 Plot precisionPlot(const TechniquePrecision& precision);
 
 }  // namespace umbra

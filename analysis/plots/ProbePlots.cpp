@@ -30,7 +30,7 @@ PlotRange unitRange() {
   return {0.0, 1.0};
 }
 
-// Lauritzen 2008, eq. 3.3: at least 1 − p_max of the region lies in front of z.
+// By Lauritzen 2008, eq. 3.3, at least 1 − p_max of the region lies in front of z.
 double chebyshevCdf(const RegionStatistics& s, double z) {
   if (z <= s.mean) return 0.0;
   const double distance = z - s.mean;
@@ -48,7 +48,7 @@ Plot histogramPlot(const Probe& probe, int bins) {
     plot.title += " · " + counted(histogram.weights.size(), "bin");
   } else {
     plot.title += " · one depth, z = " + fixed3(s.min);
-    // A bin without width could not be seen; this one is as wide as the plot's narrowest.
+    // A bin of width 0 could not be seen; this one is as wide as the plot's narrowest bin.
     histogram.edges = {s.min - 0.005, s.max + 0.005};
   }
   plot.xLabel = depthLabel();
@@ -65,7 +65,7 @@ Plot histogramPlot(const Probe& probe, int bins) {
   if (s.min < s.max) {
     mark(s.min, "min", extremeColour);
     mark(s.mean, "mean μ", meanColour);
-    // Where Lauritzen expects the second occluder (§4.1.3).
+    // Lauritzen expects the second occluder here (§4.1.3).
     mark(s.mean + std::sqrt(s.variance), "μ + σ", extremeColour);
     mark(s.max, "max", extremeColour);
   }
@@ -98,7 +98,7 @@ Plot curvesPlot(const Probe& probe, std::string_view selected, int samples) {
     emphasised = std::move(series);
     addError(plot, probe.receiver, probe.reference, result.visibility, errorLabel(result.error));
   }
-  // Last, so that it lies on top of the others.
+  // This series is last, so that it lies on top of the others.
   if (emphasised) plot.series.push_back(std::move(*emphasised));
   plot.markers.push_back(receiverMarker(probe.receiver));
   return plot;
@@ -132,7 +132,7 @@ Plot cdfPlot(const Probe& probe) {
   plot.series.push_back(
       sampled(chebyshev, chebyshevColour, range, [&](double z) { return chebyshevCdf(s, z); }));
 
-  // What blocks lies strictly in front: F just before z_r.
+  // Blocking depths lie strictly in front of z_r: this is F just before z_r.
   const double blocked = 1.0 - probe.reference;
   const double bound = chebyshevCdf(s, probe.receiver);
   addError(plot, probe.receiver, blocked, bound, "error " + signed3(blocked - bound));

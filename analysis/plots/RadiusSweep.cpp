@@ -65,7 +65,8 @@ Plot radiusPlot(const RadiusSweep& sweep, std::string_view selected, int radius)
       plot.series.push_back(std::move(series));
     }
   }
-  if (emphasised) plot.series.push_back(std::move(*emphasised));  // on top of the others
+  if (emphasised)
+    plot.series.push_back(std::move(*emphasised));  // this curve lies on top of the others
   plot.markers.push_back({MarkerAxis::Vertical, double(radius), "radius " + std::to_string(radius),
                           std::string(probeColour), true});
   return plot;

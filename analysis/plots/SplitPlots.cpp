@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view splitColour = "#7b4fa3", uniformColour = "#6b7785";
 
-// A bin without width could not be seen.
+// A bin of width 0 could not be seen.
 std::vector<double> visibleEdges(const Histogram& histogram) {
   std::vector<double> edges = histogram.edges;
   if (edges.size() == 2 && edges[0] == edges[1]) {
@@ -55,7 +55,7 @@ Plot layersPlot(const Histogram& histogram, std::span<const double> splits, doub
   bounds.push_back(1.0);
   const std::size_t layers = bounds.size() - 1;
   for (std::size_t i = 0; i < layers; ++i) {
-    // What the layer's warp covers is wider than what it decides.
+    // The interval that the layer's warp covers is wider than the one that the layer decides.
     const double low = i == 0 ? 0.0 : bounds[i] - overlap;
     const double high = i + 1 == layers ? 1.0 : bounds[i + 1] + overlap;
     plot.bands.push_back(

@@ -14,16 +14,16 @@ namespace umbra {
 // marked. An empty histogram gives the markers alone.
 Plot splitsPlot(const Histogram& histogram, std::span<const double> splits);
 
-// The same with the layers that the splits cut [0,1] into as bands, in `colours` ("#rrggbb") from
-// the light outwards, in turn; the zones of half width `overlap` (δ, depth) in which two layers are
+// The same, with the layers that the splits cut [0,1] into as bands, in `colours` ("#rrggbb") from
+// the light outwards, in turn. The zones of half width `overlap` (δ, depth) in which two layers are
 // blended are hatched. Splits can be dragged.
 Plot layersPlot(const Histogram& histogram, std::span<const double> splits, double overlap,
                 std::span<const std::string> colours);
 
-// The weighted squared distance to the nearest split, depth², as each iteration found it; the
-// first value is that before any move.
+// Shows the weighted squared distance to the nearest split, depth², as each iteration found it; the
+// first value is the one before any move.
 Plot costPlot(std::span<const double> cost);
-// The same beside the cost of uniform splits, with iteration `shown` marked.
+// The same beside the cost of uniform splits; iteration `shown` is marked.
 Plot costPlot(std::span<const double> cost, double uniform, std::size_t shown);
 
 }  // namespace umbra

@@ -7,8 +7,8 @@
 namespace umbra {
 namespace {
 
-// In characters and not bytes: UTF-8 continues a character with 10xxxxxx. Marks that combine with
-// the letter before them, U+0300 to U+036F, take no room.
+// Counts characters and not bytes: UTF-8 continues a character with 10xxxxxx. Marks that combine
+// with the letter before them, U+0300 to U+036F, take no room.
 std::size_t widthOf(const std::string& text) {
   std::size_t width = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {

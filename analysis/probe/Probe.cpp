@@ -36,7 +36,7 @@ Region regionIn(const DepthMap& map, const Kernel& kernel, const ReadPoint& read
   return region;
 }
 
-// Both regions, and their union about the place in the request's own cascade.
+// Computes both regions, and their union about the place in the request's own cascade.
 void probeSeam(const ProbeRequest& request, Probe& probe) {
   const SeamPart& seam = *request.seam;
   Region next = regionIn(seam.map, request.kernel, seam.read, request.cascade + 1);
@@ -61,10 +61,10 @@ std::vector<std::pair<double, double>> sortedByDepth(const Region& region) {
   return sorted;
 }
 
-// Σ w [z ≥ d] at every depth of `depths` (ascending) by one walk over the sorted texels.
+// Computes Σ w [z ≥ d] at every depth of `depths` (ascending) in one walk over the sorted texels.
 std::vector<double> referenceCurve(const Region& region, const std::vector<double>& depths) {
   const auto sorted = sortedByDepth(region);
-  // Summed from the far end, so that behind the last texel the sum is exactly 0.
+  // The sum starts at the far end, so that behind the last texel it is exactly 0.
   std::vector<double> atOrBehind(sorted.size() + 1, 0.0);
   for (std::size_t i = sorted.size(); i-- > 0;)
     atOrBehind[i] = atOrBehind[i + 1] + sorted[i].second;
@@ -73,7 +73,7 @@ std::vector<double> referenceCurve(const Region& region, const std::vector<doubl
   std::size_t blocking = 0;
   for (double depth : depths) {
     while (blocking < sorted.size() && sorted[blocking].first < depth) ++blocking;
-    // With nothing in front every weight counts, however their sum was rounded.
+    // With nothing in front all weights count, and their sum is 1 however it was rounded.
     curve.push_back(blocking == 0 ? 1.0 : std::min(atOrBehind[blocking], 1.0));
   }
   return curve;
@@ -87,8 +87,8 @@ Histogram binned(std::span<const double> values, std::span<const double> weights
   histogram.weights.assign(bins, 0.0);
   const auto first = histogram.edges.begin() + 1, last = histogram.edges.end() - 1;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    // By the edges themselves, so that rounding never puts a value outside the bin it is drawn in;
-    // the last bin is closed.
+    // The bin is found by the edges themselves, so that rounding never puts a value outside the bin
+    // in which it is drawn; the last bin is closed.
     histogram.weights[std::upper_bound(first, last, values[i]) - first] += weights[i];
   }
   return histogram;
@@ -102,7 +102,8 @@ Probe takeProbe(const ProbeRequest& request) {
   probe.receiver = request.receiver;
   if (request.seam) probeSeam(request, probe);
   probe.statistics = statisticsOf(probe.region);
-  // Mixed as a technique's visibilities are, so that percentage-closer filtering has no error.
+  // References are mixed as a technique's visibilities are, so that percentage-closer filtering has
+  // no error.
   probe.reference = probe.seam ? std::lerp(referenceVisibility(probe.seam->heavier, probe.receiver),
                                            referenceVisibility(probe.seam->lighter, probe.receiver),
                                            probe.seam->weight)
@@ -194,7 +195,7 @@ EmpiricalCdf empiricalCdfOf(const Region& region) {
       cdf.cumulative.back() = sum;
     }
   }
-  if (!cdf.cumulative.empty()) cdf.cumulative.back() = 1.0;  // whatever the sum was rounded to
+  if (!cdf.cumulative.empty()) cdf.cumulative.back() = 1.0;  // the sum was rounded
   return cdf;
 }
 

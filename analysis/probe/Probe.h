@@ -1,4 +1,4 @@
-// One filtered read taken apart: its region, what every technique makes of it, and the truth.
+// Takes one filtered read apart: its region, the visibility by every technique, and the reference.
 #pragma once
 
 #include <memory>
@@ -15,11 +15,11 @@
 
 namespace umbra {
 
-// In a seam between cascades: the read of the next one's map.
+// In a seam between cascades, the read of the next cascade's map.
 struct SeamPart {
   const DepthMap& map;
   ReadPoint read;
-  double weight = 0.0;  // of the next cascade's visibility, below 1
+  double weight = 0.0;  // weight of the next cascade's visibility, below 1
 };
 
 struct ProbeRequest {
@@ -28,27 +28,29 @@ struct ProbeRequest {
   Kernel kernel;
   StorageFormat format = StorageFormat::Double;
   double receiver = 0.5;  // z_r, biased
-  // Parameters set, adapted to the map; of several cascades to that of the first.
+  // Techniques with their parameters set, adapted to the map (the first cascade's, where there are
+  // several).
   std::vector<std::shared_ptr<const Technique>> techniques;
-  int cascade = 0;  // of whose map `map` is
+  int cascade = 0;  // the cascade that `map` belongs to
   std::optional<SeamPart> seam;
   SatPrecision satPrecision = SatPrecision::Centred;
 };
 
 struct TechniqueResult {
   std::shared_ptr<const Technique> technique;
-  // As read: reduced over the region, stored, interpolated. In a seam those of the heavier part.
+  // The channels as they are read: reduced over the region, stored, interpolated. In a seam they
+  // are those of the heavier part.
   std::vector<double> channels;
   double visibility = 0.0;
   double error = 0.0;                   // visibility − reference: positive is light bleeding
   std::optional<double> gpu;            // the visibility that the shaded frame used at this pixel
-  std::vector<double> lighterChannels;  // in a seam: of the other part
+  std::vector<double> lighterChannels;  // in a seam, the channels of the lighter part
 };
 
-// In a seam two cascades' maps are read, each technique's two visibilities mixed.
+// In a seam the maps of two cascades are read, and each technique's two visibilities are mixed.
 struct ProbeSeam {
-  Region heavier, lighter;  // each of weights that sum to 1
-  double weight = 0.0;      // of the lighter part's visibility
+  Region heavier, lighter;  // each has weights that sum to 1
+  double weight = 0.0;      // weight of the lighter part's visibility
 };
 
 // A technique that cannot be composed with the request's format, kernel and read, and the reason.
@@ -58,30 +60,31 @@ struct RefusedTechnique {
 };
 
 struct Probe {
-  Region region;  // in a seam the union of both cascades' regions, its weights those of the mix
+  Region region;  // in a seam the union of both cascades' regions, with the weights of the mix
   double receiver = 0.0;
   RegionStatistics statistics;
   double reference = 0.0;  // exact percentage-closer filtering
   std::vector<TechniqueResult> techniques;
-  std::vector<RefusedTechnique> refused;  // have no result
+  std::vector<RefusedTechnique> refused;  // techniques without a result
   std::optional<ProbeSeam> seam;
 };
 
 Probe takeProbe(const ProbeRequest& request);
 
-// What a technique of the probe reads; in a seam the heavier part. Refers to both arguments.
+// The fetch of a technique of the probe; in a seam that of the heavier part. It refers to both
+// arguments.
 Fetch fetchOf(const Probe& probe, const TechniqueResult& result);
-// That of `technique`, with the channels of `result`, at any receiver: the same technique with
-// another parameter that its channels do not depend on.
+// The visibility by `technique` with the channels of `result`, at any receiver. `technique` is the
+// result's own, or one that differs in a parameter on which its channels do not depend.
 double visibilityOf(const Technique& technique, const Probe& probe, const TechniqueResult& result,
                     double receiver);
 
-// The taps on the map of the cascade that the probe is in; their weights sum to less than 1 in a
-// seam.
+// The taps on the map of the cascade that the probe is in. In a seam their weights sum to less than
+// 1.
 Region ownRegion(const Probe& probe);
 
-// The read of the next cascade in a seam: the same place on its map, with the footprint in its
-// texels; at its edge where it lies beyond. A summed area is at least as wide as the kernel.
+// The read of the next cascade in a seam: the same place on its map, at its edge where it lies
+// beyond, with the footprint in its texels. A summed area is at least as wide as the kernel.
 ReadPoint readInCascade(const ReadPoint& read, const Cascade& from, const Cascade& to,
                         const Kernel& kernel);
 
@@ -93,8 +96,8 @@ struct Histogram {
 };
 Histogram histogramOf(const Region& region, int bins);
 
-// The same of any finite values with weights ≥ 0, scaled to sum 1; values without weight do not
-// count. Empty where nothing has weight.
+// The same for any finite values with weights ≥ 0, which are scaled to sum 1; values without weight
+// do not count. The result is empty where nothing has weight.
 Histogram histogramOf(std::span<const double> values, std::span<const double> weights, int bins);
 
 // The distinct depths of the region, ascending, each with the weight at or below it: F(z).

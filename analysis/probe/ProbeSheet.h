@@ -1,4 +1,4 @@
-// Several probes beside each other: what every technique makes of each, as one table.
+// A table of several probes: what every technique makes of each.
 #pragma once
 
 #include <optional>
@@ -22,19 +22,20 @@ struct SheetFigures {
   const Entry* of(std::string_view technique) const;  // null where there is none
 };
 
-// `reference` is the probe's, or another truth that errors are against.
+// `truth` is the reference to take errors against in place of the probe's own, such as the
+// ray-traced one.
 SheetFigures figuresOf(const Probe& probe, const std::optional<double>& truth = {});
 
 struct SheetRow {
   std::string name;
   std::vector<double> place;  // x, y, z of a point in the world; x, y of a texel
   std::optional<SheetFigures> figures;
-  std::string reason;  // why there are none
+  std::string reason;  // why there are no figures
 };
 
-// A line for each row under "name", "x", "y", "z", "receiver", "truth", for each of `techniques`
-// (ids) its visibility and its error, and "note". Numbers have every digit; absent ones are empty.
-// A field that holds the separator or a quotation mark is quoted (RFC 4180).
+// A line for each row under "name", "x", "y", "z", "receiver", "truth" (the reference), for each of
+// `techniques` (ids) its visibility and its error, and "note". Numbers have every digit; absent
+// ones are empty. A field that holds the separator or a quotation mark is quoted (RFC 4180).
 std::string sheetText(std::span<const SheetRow> rows, std::span<const std::string> techniques,
                       char separator);
 

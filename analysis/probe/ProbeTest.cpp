@@ -170,8 +170,8 @@ TEST(Probe, RefusesATexelOutsideTheMap) {
   EXPECT_THROW(takeProbe(requestOn(map, 0, -1, 0.5)), Error);
 }
 
-// Variance from its definition, in long double, by a route of its own. Both sides round at most
-// once per tap and operation: far less than 1e-12 for 49 taps.
+// Computes the variance from its definition, in long double, independently of the code under test.
+// Both sides round at most once per tap and operation: far less than 1e-12 for 49 taps.
 TEST(Probe, AgreesWithTheFormulaOfVsm) {
   const DepthMap map = randomMap(32, 32, 3);
   for (int x : {0, 7, 16, 31}) {

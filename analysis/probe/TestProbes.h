@@ -11,7 +11,7 @@
 
 namespace umbra {
 
-// Depths of these weights, which sum to 1; of equal ones where `weights` is empty.
+// A region of depths with these weights, which sum to 1; equal ones where `weights` is empty.
 inline Probe probeOfDepths(const std::vector<double>& depths, double receiver,
                            std::vector<double> weights = {}) {
   Probe probe;

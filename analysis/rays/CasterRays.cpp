@@ -39,8 +39,8 @@ void throwIfFailed(RTCDevice device, const char* step) {
                   (error == RTC_ERROR_OUT_OF_MEMORY ? ", which found too little memory" : ""));
 }
 
-// Triangles run counter-clockwise seen from outside, so that their normal looks outwards: one that
-// looks against the ray is the front.
+// Triangles run counter-clockwise seen from outside, so that their normal points outwards: a ray
+// that runs against the normal meets the front.
 void rejectFrontFaces(const RTCFilterFunctionNArguments* arguments) {
   for (unsigned i = 0; i < arguments->N; ++i) {
     if (arguments->valid[i] != -1) continue;
@@ -51,7 +51,7 @@ void rejectFrontFaces(const RTCFilterFunctionNArguments* arguments) {
   }
 }
 
-// Embree 3 and 4 differ in what else a ray is traced with, which is nothing here.
+// Embree 3 and 4 differ in the further arguments of a ray, of which none is used here.
 void intersect(RTCScene scene, RTCRayHit& ray) {
 #if UMBRA_EMBREE >= 4
   rtcIntersect1(scene, &ray);
@@ -87,7 +87,7 @@ class CasterRays::Implementation {
   Implementation(const Scene& scene, bool cullFrontFaces) : device_(rtcNewDevice(nullptr)) {
     throwIfFailed(device_.get(), "starting");
     tracer_.reset(rtcNewScene(device_.get()));
-    // Rays between two triangles that share an edge meet one of them.
+    // The flag makes rays between two triangles that share an edge hit one of them.
     rtcSetSceneFlags(tracer_.get(), RTC_SCENE_FLAG_ROBUST);
     for (const SceneObject& object : scene.objects) {
       if (object.mesh.triangles.empty()) continue;
@@ -101,7 +101,7 @@ class CasterRays::Implementation {
 
   const Eigen::AlignedBox3d& bounds() const { return bounds_; }
 
-  // Along `direction`, unit; infinite where nothing is met.
+  // The first hit along `direction`, unit; infinite where there is none.
   double distance(const Vector3d& origin, const Vector3d& direction) const {
     RTCRayHit ray{};
     ray.ray.org_x = float(origin.x());
@@ -153,7 +153,7 @@ LightRays CasterRays::raysOf(const LightFrame& frame) const {
       rays.lead = std::max(
           rays.lead, frame.nearDistance -
                          frame.distance(bounds.corner(Eigen::AlignedBox3d::CornerType(corner))));
-    // Beyond what rounding the origin to single precision moves it by.
+    // This is more than rounding the origin to single precision moves it.
     if (rays.lead > 0.0) rays.lead += 1e-5 * (bounds.diagonal().norm() + rays.lead);
   }
   const Vector3d back = rays.lead * frame.direction;

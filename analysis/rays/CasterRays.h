@@ -1,5 +1,5 @@
-// What a light's rays meet first: the scene's casters without a shadow map between (Wald et al.
-// 2014, "Embree: A Kernel Framework for Efficient CPU Ray Tracing").
+// The first hits of a light's rays: the scene's casters without a shadow map in between (Wald et
+// al. 2014, "Embree: A Kernel Framework for Efficient CPU Ray Tracing").
 #pragma once
 
 #include <memory>
@@ -9,12 +9,12 @@
 
 namespace umbra {
 
-// The rays of a light's frame: as many as its map has positions (u, v). All of a directional light
-// are parallel and begin before every caster, those of a spot light begin at the light.
+// The rays of a light's frame, one for each position (u, v) of its map. The rays of a directional
+// light are parallel and begin before every caster; those of a spot light begin at the light.
 struct LightRays {
   LightKind kind = LightKind::Directional;
-  // Directional: the origin at (0, 0), and how it moves with u and v; spot: the direction, of
-  // length 1 along the light's axis. World.
+  // Directional: the origin at (0, 0), and how it moves with u and v. Spot: the direction at (0,
+  // 0), of length 1 along the light's axis, and how it changes with u and v. World.
   Eigen::Vector3d first, perU, perV;
   Eigen::Vector3d fixed;  // directional: the direction, unit; spot: the origin
   double lead = 0.0;      // directional: origins lie this far before the near plane, world units
@@ -24,8 +24,8 @@ struct LightRays {
 // Casts are const and may run on many threads at once.
 class CasterRays {
  public:
-  // Every object casts. `cullFrontFaces` leaves out what faces the light, as Bias does. Throws
-  // WorkFailed where the tracer cannot be set up.
+  // Every object casts shadows. `cullFrontFaces` leaves out faces towards the light, as in Bias.
+  // Throws WorkFailed where the tracer cannot be set up.
   CasterRays(const Scene& scene, bool cullFrontFaces);
   ~CasterRays();
   CasterRays(CasterRays&&) noexcept;
@@ -33,9 +33,9 @@ class CasterRays {
 
   LightRays raysOf(const LightFrame& frame) const;
 
-  // Linear depth of the first hit of the ray through (u, v): what a map of unlimited resolution
-  // holds there. Before the near plane 0, behind the far plane and where nothing is met 1. Computed
-  // in single precision: good to a few 1e-7 of the ray's length.
+  // The linear depth of the first hit of the ray through (u, v), which a map of unlimited
+  // resolution holds there. It is 0 before the near plane, and 1 behind the far plane and where
+  // there is no hit. It is computed in single precision, exact to a few 1e-7 of the ray's length.
   double depth(const LightRays& rays, double u, double v) const;
 
  private:

@@ -35,7 +35,8 @@ void RayTracedVisibility::cast(const Map& map, int blockX, int blockY, Block& bl
     float* depths = &block.depths[std::size_t(texel) * count];
     for (int i = 0; i < count; ++i) {
       const int column = i % side_, row = i / side_;
-      // Within its cell at the place of the other index: count distinct columns and rows.
+      // The place within its cell is given by the other index, so that every place has its own
+      // column and row.
       const double dx = (column + (row + 0.5) / side_) / side_;
       const double dy = (row + (column + 0.5) / side_) / side_;
       depths[i] = float(rays_.depth(map.rays, (x + dx) / size_, (y + dy) / size_));

@@ -74,7 +74,7 @@ TEST(RayTracedVisibility, SlabCoversWhatItCovers) {
   const LightPoint b = whole.frame.project({0.37 + 1.03f, 2, 0});
   const bool alongU = std::abs(a.u - b.u) > std::abs(a.v - b.v);
   const auto ends = std::minmax({size * (alongU ? a.u : a.v), size * (alongU ? b.u : b.v)});
-  const double receiver = whole.frame.project({0, 1, 0}).z;  // between both
+  const double receiver = whole.frame.project({0, 1, 0}).z;  // a receiver between both
   const Kernel kernel{KernelShape::Box, 3};
   const DepthMap map = anyMap(size);
   int penumbra = 0;
@@ -90,7 +90,7 @@ TEST(RayTracedVisibility, SlabCoversWhatItCovers) {
   EXPECT_GE(penumbra, 7);
 }
 
-// A plate turned by an angle, so that its edges cross texels anyhow.
+// A plate turned by an angle, so that its edges cross texels in many ways.
 struct TurnedPlate {
   static constexpr int size = 32, fine = 16;
   static constexpr float angle = 0.4f;
@@ -104,7 +104,7 @@ struct TurnedPlate {
     return std::abs(std::cos(angle) * dx + std::sin(angle) * dz) > 1.7f ||
            std::abs(-std::sin(angle) * dx + std::cos(angle) * dz) > 1.1f;
   }
-  // Of the 5 × 5 texels about (x, y), by 16 × 16 places of each.
+  // Judges the 5 × 5 texels about (x, y) by 16 × 16 places of each.
   double exact(int x, int y) const {
     int count = 0;
     for (int j = 0; j < 5 * fine; ++j)
@@ -156,13 +156,13 @@ TEST(RayTracedVisibility, EdgeTexelsRepeat) {
   const Cascade whole = wholeFrame(scene, lightAbove());
   const RayTracedVisibility rays(scene, {&whole, 1}, size, false, 3);
   const DepthMap map = anyMap(size);
-  // The ground ends half a per cent before the map's edge: a part of the edge texel sees nothing.
+  // The ground ends half a percent before the map's edge: a part of the edge texel sees nothing.
   const Region region = regionAtTexel(map, {KernelShape::Box, 8}, 0, 20);
   const Region edge = regionAtTexel(map, {KernelShape::None}, 0, 20);
   const Region next = regionAtTexel(map, {KernelShape::None}, 4, 20);
   EXPECT_GT(rays(edge, 1.0), 0.0);
   EXPECT_EQ(rays(next, 1.0), 0.0);
-  // Of 17 columns nine are the edge texel's.
+  // Nine of the 17 columns are the edge texel's.
   EXPECT_NEAR(rays(region, 1.0), 9.0 / 17.0 * rays(edge, 1.0), 1e-12);
 }
 

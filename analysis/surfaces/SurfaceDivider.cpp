@@ -41,12 +41,13 @@ void SurfaceDivider::addClip(const Eigen::Vector3f& position) {
   clip_.push_back(toClip_ * position.cast<double>().homogeneous());
 }
 
-// In front of a spot light, farther than the place where the map's width becomes none.
+// The part of an edge in front of a spot light, farther away than the place where the map's width
+// becomes 0.
 double SurfaceDivider::nearestW() const {
   return light_.kind == LightKind::Spot ? 0.3 * light_.nearDistance : 0.5;
 }
 
-// As far as the edge lies in front of the light.
+// The edge is cut to the part that lies in front of the light.
 double SurfaceDivider::lengthOf(std::uint32_t from, std::uint32_t to) const {
   Vector4d a = clip_[from], b = clip_[to];
   const double least = nearestW();
@@ -68,7 +69,7 @@ bool SurfaceDivider::mayLieOnMap(const SurfaceFace& face) const {
          !all([this](const Vector4d& c) { return c.w() < nearestW(); });
 }
 
-// Its plane or, where it is shaded as a curved one, a corner.
+// Whether its plane or, where it is shaded as a curved surface, a corner may face the light.
 bool SurfaceDivider::mayFaceLight(const SurfaceFace& face) const {
   const auto position = [&](int i) {
     return Vector3d(mesh_.positions[face.corners[i]].cast<double>());
@@ -106,8 +107,8 @@ int SurfaceDivider::longestInWorld(const Corners& corners) const {
   return int(std::max_element(lengths, lengths + 3) - lengths);
 }
 
-// The longest edge of each face that has one to be halved. Faces of which another edge is halved
-// get their own longest one halved with it, so that none becomes slender (Rivara 1984).
+// Finds the longest edge of each face that has an edge to be halved. A face of which another edge
+// is halved has its own longest edge halved as well, so that no face becomes slender (Rivara 1984).
 bool SurfaceDivider::markEdges(double edge) {
   bool any = false;
   for (std::size_t i = 0; i < edgesOf_.size(); ++i) {
@@ -203,7 +204,8 @@ void SurfaceDivider::split(const SurfaceFace& face, Corners e) {
     m[i] = edges_[e[i]].middle;
   }
   const auto halved = 3 - std::count(m.begin(), m.end(), none);
-  // Turned so that a single halved edge is the first, and a single whole one the last.
+  // The corners are turned so that a single halved edge is the first, and a single whole one the
+  // last.
   while (halved > 0 && halved < 3 && !(m[0] != none && m[2] == none)) {
     std::rotate(v.begin(), v.begin() + 1, v.end());
     std::rotate(e.begin(), e.begin() + 1, e.end());

@@ -14,11 +14,12 @@ class SurfaceDivider {
   // Divides `mesh`, which must outlive it.
   SurfaceDivider(SurfaceMesh& mesh, const LightFrame& light, int mapSize);
 
-  // Texels: of the faces on the map that are turned to the light; 0 without any.
+  // The longest edge, in texels, of the faces on the map that are turned to the light; 0 where
+  // there are none.
   double longestEdge() const;
 
-  // Until no edge on the map is longer than `edge` texels. False, and the mesh stays as it is,
-  // where that takes more than `most` faces.
+  // Divides until no edge on the map is longer than `edge` texels. Returns false, and leaves the
+  // mesh as it is, where that takes more than `most` faces.
   bool divide(double edge, std::size_t most, const std::function<void()>& check);
 
  private:
@@ -29,7 +30,7 @@ class SurfaceDivider {
     std::uint32_t first = 0;           // one of its ends
     float length = 0.0f;               // on the map, texels
     std::uint32_t middle = none;       // the position that halves it
-    std::uint32_t halves[2] = {0, 0};  // edges: at the first end, at the other one
+    std::uint32_t halves[2] = {0, 0};  // the edges at the first end and at the other one
     bool marked = false;               // to be halved
   };
 
@@ -54,9 +55,9 @@ class SurfaceDivider {
   const LightFrame& light_;
   Eigen::Matrix4d toClip_;
   double size_;
-  std::vector<Eigen::Vector4d> clip_;  // of each position
+  std::vector<Eigen::Vector4d> clip_;  // one for each position
   std::vector<Edge> edges_;
-  std::vector<Corners> edgesOf_;  // of each face: from corner i to the next
+  std::vector<Corners> edgesOf_;  // for each face, the edges from corner i to the next
 };
 
 }  // namespace umbra

@@ -13,13 +13,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Three points inside a triangle, each with a third of its area, at these parts of its corners.
+// Three points inside a triangle, each with a third of its area, by these weights of its corners.
 constexpr int pointsOfFace = 3;
 constexpr double nearCorner = 2.0 / 3.0, otherCorners = 1.0 / 6.0;
 
 enum class Receives { Yes, FacesAway, OffMap };
 
-// All reads: one for each vertex that receives shadow, then of the faces' points that do.
+// All reads: one for each vertex that receives shadow, then those of the faces' points that do.
 struct Reads {
   std::vector<MapRead> reads;
   std::vector<Receives> vertices, points;
@@ -36,7 +36,7 @@ Vector3d pointOf(const SurfaceMesh& mesh, const SurfaceFace& face, int point) {
   return sum;
 }
 
-// Twice the area long.
+// The face's normal; its length is twice the area.
 Vector3d normalOf(const SurfaceMesh& mesh, const SurfaceFace& face) {
   const Vector3d a = cornerOf(mesh, face, 0);
   return (cornerOf(mesh, face, 1) - a).cross(cornerOf(mesh, face, 2) - a);
@@ -99,7 +99,7 @@ FieldMesh fieldMeshOf(const SurfaceMesh& mesh, const Scene& scene) {
   return result;
 }
 
-// Returns how many of the results are vertices'.
+// Returns how many of the results belong to vertices.
 std::size_t writeVertices(FieldMesh& mesh, const std::vector<Receives>& vertices,
                           const std::vector<ReadVisibility>& results) {
   const std::size_t count = vertices.size();
@@ -121,9 +121,9 @@ std::size_t writeVertices(FieldMesh& mesh, const std::vector<Receives>& vertices
   return next;
 }
 
-// Of one face: sums over its points, each a third of its area.
+// Sums over the points of one face; each point has a third of its area.
 struct FaceSums {
-  double error = 0.0, bleeding = 0.0, shadowed = 0.0;  // of points
+  double error = 0.0, bleeding = 0.0, shadowed = 0.0;  // sums over points
   int receiving = 0, bleedingPoints = 0;
   WorstPlace worst;
 };
@@ -134,7 +134,7 @@ void addTo(SurfaceSums& sums, const FaceSums& face, double area) {
   sums.area += share * face.receiving;
   sums.shadowedArea += share * face.shadowed;
   sums.bleedingArea += share * face.bleedingPoints;
-  sums.meanBleeding += share * face.bleeding;  // the integral, until all faces are there
+  sums.meanBleeding += share * face.bleeding;  // an integral until all faces are added
   if (face.worst.error >= visibleError && (!sums.worst || face.worst.error > sums.worst->error))
     sums.worst = face.worst;
 }
@@ -143,7 +143,7 @@ void finish(SurfaceSums& sums) {
   if (sums.area > 0.0) sums.meanBleeding /= sums.area;
 }
 
-// The results of the faces, and what they add up to.
+// Writes the results of the faces and adds them up.
 class FaceWriter {
  public:
   FaceWriter(const SurfaceMesh& mesh, SurfaceErrors& errors) : mesh_(mesh), errors_(errors) {

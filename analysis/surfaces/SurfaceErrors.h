@@ -1,5 +1,5 @@
-// A technique's error on the surfaces of a scene, whoever looks at them: at vertices, over faces,
-// and as areas.
+// A technique's error on the surfaces of a scene, independent of any camera: at vertices, over
+// faces, and as areas.
 #pragma once
 
 #include <functional>
@@ -17,9 +17,9 @@ namespace umbra {
 
 struct SurfaceSubject {
   const Scene& scene;
-  const LightFrame& light;     // of the whole map
+  const LightFrame& light;     // the whole map's
   const DepthMap& map;         // as drawn
-  const FrameSettings& frame;  // that whyNoSurfaceErrors has nothing against
+  const FrameSettings& frame;  // settings that whyNoSurfaceErrors accepts
   const Technique& technique;  // parameters set, adapted to the map
 };
 
@@ -28,18 +28,18 @@ struct WorstPlace {
   double error = 0.0;                       // visibility − reference
 };
 
-// Areas are in square world units, of surfaces that face the light and lie inside its map: only
-// these receive shadow. Nobody looks whether they can be seen: what faces the light inside another
-// body, such as the part of a floor under a foot that stands on it, receives and bleeds as the rest
-// does. The catalogue's ground has a hole where its paving is set in.
+// Areas are in square world units. Only surfaces that face the light and lie inside its map receive
+// shadow and count. Whether they can be seen is not checked: a surface that faces the light inside
+// another body, such as the part of a floor under a foot that stands on it, receives and bleeds as
+// well. The catalogue's ground has a hole where its paving is set in.
 struct SurfaceSums {
-  std::string name;                 // of the object
-  std::size_t faces = 0;            // all of them
-  double area = 0.0;                // that receives shadow
-  double shadowedArea = 0.0;        // of it in shadow; of penumbrae the part that is dark
-  double bleedingArea = 0.0;        // of it with an error of visibleError or more
+  std::string name;                 // the object's name
+  std::size_t faces = 0;            // all faces
+  double area = 0.0;                // area that receives shadow
+  double shadowedArea = 0.0;        // shadowed part of `area`; a penumbra counts with its dark part
+  double bleedingArea = 0.0;        // part of `area` with an error of at least visibleError
   double meanBleeding = 0.0;        // mean of max(error, 0) over `area`; 0 without any
-  std::optional<WorstPlace> worst;  // where most light bleeds; none where none does visibly
+  std::optional<WorstPlace> worst;  // where most light bleeds; empty where none bleeds visibly
 };
 
 struct SurfaceSummary {
@@ -57,15 +57,15 @@ struct SurfaceErrors {
   SurfaceSummary summary;
 };
 
-// Why errors on surfaces cannot be had with these settings; empty where they can. One clause that
-// names the setting and says what would go.
+// Why errors on surfaces cannot be computed with these settings; empty where they can. One clause
+// that names the setting and the settings that work.
 std::string whyNoSurfaceErrors(const FrameSettings& frame);
 
-// A vertex is read as the shaded frame would read it, on the plane across its normal. A face is the
-// mean of three reads inside it, exact where the error changes evenly or quadratically (Strang &
-// Fix 1973, three interior points), on its own plane: no edge between two planes is read. Works on
-// every core; `progress` is called on the calling thread alone with the part that is done, 0 … 1;
-// what it throws ends the work.
+// A vertex is read as the shaded frame would read it, on the plane across its normal. A face's
+// value is the mean of three reads inside it, on its own plane, so that no edge between two planes
+// is read. The mean is exact where the error changes linearly or quadratically (Strang & Fix 1973,
+// three interior points). Works on every core. `progress` is called on the calling thread alone
+// with the part that is done, 0 … 1; an exception that it throws ends the work.
 SurfaceErrors surfaceErrors(
     const SurfaceMesh& mesh, const SurfaceSubject& subject,
     const std::function<void(double)>& progress = [](double) {});

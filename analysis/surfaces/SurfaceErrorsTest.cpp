@@ -153,18 +153,18 @@ TEST_F(ThreePlanes, FacesAreTheMeanOfThreePointsInside) {
   EXPECT_NEAR(all.worst->error, closedForm(all.worst->position), 1e-7);
 }
 
-// It bleeds visibly in a strip along the middle. A face counts by its points: on either side of the
-// strip those that cross its border may add or miss what lies within their edges of it.
+// C bleeds visibly in a strip along the middle. A face counts by its points: on either side of the
+// strip, faces that cross its border may add or miss an area within the length of their edges.
 TEST_F(ThreePlanes, TheBleedingAreaIsThatOfTheClosedForm) {
   constexpr double edge = 0.5;  // texels
   constexpr int steps = 1000;   // of each texel
-  double width = 0.0;           // of the strip, texels
+  double width = 0.0;           // width of the strip, texels
   for (int i = 0; i < steps * mapSize; ++i) {
     const double x = -half + texel * (i + 0.5) / steps;
     width += closedForm({x, 0.0, 0.0}) >= visibleError ? 1.0 / steps : 0.0;
   }
   EXPECT_GT(width, 4.0);
-  EXPECT_LT(width, 7.0);  // where the box holds both
+  EXPECT_LT(width, 7.0);  // the box holds both here
   const double length = 2.0 * half, tolerance = 2.0 * (edge + 1.0 / steps) * texel * length;
   const double expected = width * texel * length,
                found = drawn.errors("vsm", edge).summary.all.bleedingArea;
@@ -220,8 +220,8 @@ TEST(SurfaceErrors, OnlyWhatTheLightReachesReceives) {
   }
 }
 
-// The tree's wide ground ends at the paving that is set into it: under there it would be in shadow
-// all over, and what bleeds there nobody sees.
+// The tree's wide ground ends at the paving that is set into it. Ground under the paving would be
+// in shadow everywhere, and nobody sees it bleed.
 TEST(SurfaceErrors, TheGroundReceivesNothingUnderThePaving) {
   const Scene scene = makeScene("tree-bench");
   const LightFrame light = fitLightFrame(scene.light, scene.lightBounds());

@@ -47,7 +47,8 @@ SurfaceMesh surfaceMeshOf(const Scene& scene, const LightFrame& light, int mapSi
   check();
   SurfaceDivider divider(mesh, light, mapSize);
   const std::size_t most = mesh.faces.size() + settings.mostFaces;
-  // From coarse to fine, so that what there is no room for is missing evenly.
+  // Edges are divided from coarse to fine, so that detail for which there is no room is missing
+  // evenly.
   double edge = settings.edge;
   while (edge < mapSize) edge *= 2.0;
   for (mesh.edge = divider.longestEdge(); edge >= settings.edge; edge *= 0.5) {

@@ -45,7 +45,7 @@ Mesh octahedron() {
   return mesh;
 }
 
-// Its front is up.
+// The triangle's front is up.
 Mesh ground(float half, float height = 0.0f) {
   Mesh mesh;
   mesh.positions = {
@@ -96,7 +96,8 @@ TEST(SurfaceMesh, EdgesTurnedToTheLightAreNoLongerThanAskedFor) {
   }
 }
 
-// What is divided and what is not, as what is turned away, share their edges all the same.
+// Faces that are divided, faces that are not and faces that are turned away share their edges
+// without gaps.
 TEST(SurfaceMesh, StaysClosed) {
   const LightFrame light = frameOf(lightFrom({3, 9, 2}));
   const SurfaceMesh divided = surfaceMeshOf(sceneOf({octahedron()}), light, 64);
@@ -131,7 +132,8 @@ TEST(SurfaceMesh, TheGroundToTheHorizonIsDividedUnderTheLightOnly) {
   EXPECT_NEAR(all, 400.0 * 400.0, 1e-6 * 400.0 * 400.0);
 }
 
-// A spot light in the plane of the ground's height range, part of it behind the light.
+// A spot light lies within the height range of the ground, so that a part of the ground is behind
+// it.
 TEST(SurfaceMesh, WhatReachesBehindASpotLightIsDividedInFrontOfIt) {
   Light light = lightFrom({0, 1, 3}, LightKind::Spot);
   light.target = {0, 0.5, 0};
@@ -153,7 +155,7 @@ TEST(SurfaceMesh, StopsEvenlyWhereThereAreTooManyFaces) {
     EXPECT_LE(longestEdge(mesh, face, light, 256), mesh.edge);
 }
 
-// As a detailed model stands on a plain ground.
+// The setting is a detailed model on a plain ground.
 TEST(SurfaceMesh, WhatTheSceneHasDoesNotCountAgainstWhatMayBeAdded) {
   Mesh detailed;
   for (int i = 0; i < 2000; ++i) {
@@ -175,7 +177,8 @@ TEST(SurfaceMesh, WhatTheSceneHasDoesNotCountAgainstWhatMayBeAdded) {
   EXPECT_EQ(both.faces.size(), alone.faces.size() + detailed.triangles.size());
 }
 
-// A square of 4 on a map of 4.04, of which no face may be divided: its diagonal is the longest.
+// A square of side 4 on a map of 4.04; no face may be divided, so that its diagonal is the longest
+// edge.
 TEST(SurfaceMesh, WhatIsNotDividedAtAllTellsItsOwnLongestEdge) {
   const LightFrame light = frameOf(lightFrom({0, 9, 0}));
   const SurfaceMesh mesh =

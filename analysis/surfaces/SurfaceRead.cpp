@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double nearest = 1e-6;  // cosines and distances below count as none
+constexpr double nearest = 1e-6;  // smaller cosines and distances count as 0
 
 struct CameraAxes {
   Vector3d right, up, forward;
@@ -57,8 +57,8 @@ std::optional<CascadePlace> cascadeOf(const Vector3d& point, const LightPoint& l
   return CascadePlace{last, 0.0};
 }
 
-// By how much the position on the map, in texels of `cascade`, moves from a pixel to the next to
-// the right and upwards in the picture. None where the camera does not look at the point.
+// How much the position on the map, in texels of `cascade`, moves from a pixel to the next one to
+// the right and upwards in the picture. Nothing where the camera does not look at the point.
 std::optional<std::pair<Vector2d, Vector2d>> stepsOnMap(const Vector3d& point,
                                                         const Vector3d& normal,
                                                         const FrameView& frame,
@@ -70,7 +70,7 @@ std::optional<std::pair<Vector2d, Vector2d>> stepsOnMap(const Vector3d& point,
     const Vector3d ray = frame.picture.rayThrough(*centre + Vector2d(dx, dy));
     const double t = normal.dot(point - eye) / normal.dot(ray);
     const LightPoint at = frame.light.project(eye + t * ray);
-    // Behind the camera the plane has no end there: wider than any map.
+    // Behind the camera the plane has no end: the footprint is wider than any map.
     if (!(t > 0.0)) return Vector2d(Vector2d::Constant(std::numeric_limits<double>::infinity()));
     return Vector2d(Vector2d(at.u, at.v) * (frame.settings.map.size / cascade.side));
   };
@@ -78,7 +78,7 @@ std::optional<std::pair<Vector2d, Vector2d>> stepsOnMap(const Vector3d& point,
                                        place(0.0, -0.5) - place(0.0, 0.5)};
 }
 
-// What a trilinear or anisotropic read covers: the longer axis and the probes along it.
+// The footprint of a trilinear or anisotropic read: the longer axis and the probes along it.
 Footprint axisOf(const Vector2d& dx, const Vector2d& dy, const FrameSettings& settings) {
   const double longest = settings.map.size;
   Vector2d axis = dx.norm() > dy.norm() ? dx : dy;
@@ -108,8 +108,8 @@ Footprint boxOf(const Vector2d& dx, const Vector2d& dy, double distance, const F
   return {width, width};
 }
 
-// From the read's position to the farthest centre of the texels that it averages, `finer` being the
-// side of a cascade's texel in those of the coarsest that is read.
+// How far the centres of the texels that a read averages lie from its position, at most. `finer` is
+// the side of a cascade's texel, in texels of the coarsest cascade that is read.
 Vector2d reachOf(const SurfacePoint& surface, const FrameSettings& settings, double finer) {
   const double kernel = settings.kernel.effectiveRadius();
   const Vector2d size = finer * Vector2d(surface.footprint.x, surface.footprint.y);
@@ -133,7 +133,7 @@ Vector2d reachOf(const SurfacePoint& surface, const FrameSettings& settings, dou
   return (size.cwiseAbs() * probes).array() + kernel + 1.5 * std::ldexp(1.0, level) - 0.5;
 }
 
-// World units, at the depth of a point.
+// World units at the depth of a point.
 double pixelSide(const PictureView& picture, const Vector3d& point) {
   const CameraAxes axes = axesOf(picture);
   return std::abs(axes.forward.dot(point - picture.camera.position)) / axes.scale;

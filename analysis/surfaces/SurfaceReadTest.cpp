@@ -38,7 +38,7 @@ struct Setting {
   std::vector<Cascade> cascades;
 };
 
-// How much the plane's depth changes from texel to texel, along u and v together: by rays through
+// How much the plane's depth changes from texel to texel, along u and v together, by rays through
 // the map half of `step` texels to either side.
 double depthGain(const LightFrame& frame, const Vector3d& normal, int size, double step) {
   const LightPoint at = frame.project(point);
@@ -69,7 +69,7 @@ TEST(SurfaceRead, TheReceiverIsLoweredByThePlanesOwnSlope) {
     EXPECT_NEAR(read.v, at.v, 1e-12);
     EXPECT_TRUE(read.facesLight);
     EXPECT_FALSE(std::get<SurfacePoint>(setting.read(-tilted)).facesLight);
-    // A sheet has no inside: whichever way round its triangle is, the side in sight counts.
+    // A sheet has no inside: the visible side counts whichever way its triangle runs.
     EXPECT_TRUE(std::get<SurfacePoint>(setting.read(tilted, true)).facesLight);
     EXPECT_TRUE(std::get<SurfacePoint>(setting.read(-tilted, true)).facesLight);
     setting.settings.bias = {0.0, 0.0, false, false};
@@ -84,7 +84,7 @@ TEST(SurfaceRead, APlaneSeenEdgeOnIsLoweredByATenth) {
   EXPECT_NEAR(read.receiver, setting.frame.project(point).z - 0.1, 1e-12);
 }
 
-// Light and camera straight above a level plane: a pixel is a square of the map.
+// Light and camera are straight above a level plane: a pixel is a square of the map.
 TEST(SurfaceRead, AFootprintIsWhatThePixelCovers) {
   Setting setting(LightKind::Directional, {1e-6, 9, 0});
   setting.settings.read.filter = ReadFilter::Trilinear;
@@ -111,9 +111,10 @@ TEST(SurfaceRead, AFootprintIsWhatThePixelCovers) {
 
 TEST(SurfaceRead, WhatCannotBeReadSaysWhy) {
   Setting behind(LightKind::Directional);
-  behind.camera.target = 2.0 * behind.camera.position - point;  // looks the other way
+  behind.camera.target =
+      2.0 * behind.camera.position - point;  // the camera looks away from the point
   EXPECT_TRUE(
-      std::holds_alternative<SurfacePoint>(behind.read(tilted)));  // a plain read needs none
+      std::holds_alternative<SurfacePoint>(behind.read(tilted)));  // a plain read needs no camera
   for (ReadFilter filter :
        {ReadFilter::Trilinear, ReadFilter::Anisotropic, ReadFilter::SummedArea}) {
     behind.settings.read.filter = filter;
@@ -124,8 +125,8 @@ TEST(SurfaceRead, WhatCannotBeReadSaysWhy) {
   EXPECT_EQ(std::get<Unreadable>(away.read(tilted)), Unreadable::OutsideMap);
 }
 
-// Before the end of a cascade it is read, in the seam with the next one, behind it the next alone;
-// what a window does not hold is left to the next.
+// Before the end of a cascade it alone is read, in the seam the next one as well, and behind it the
+// next alone. Points that a window does not hold are left to the next cascade.
 TEST(SurfaceRead, CascadesFollowTheDistanceFromTheCamera) {
   Setting setting(LightKind::Directional);
   setting.settings.map.cascades.count = 3;

@@ -10,8 +10,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// The squared distance of `p` from the triangle (a, b, c): by the region of its plane that p lies
-// over (Ericson 2005, "Real-Time Collision Detection", §5.1.5).
+// The squared distance of `p` from the triangle (a, b, c), found by the region of its plane over
+// which p lies (Ericson 2005, "Real-Time Collision Detection", §5.1.5).
 double squaredDistance(const Vector3d& p, const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   const auto toSegment = [&p](const Vector3d& from, const Vector3d& to) {
     const Vector3d way = to - from;
