@@ -9,10 +9,10 @@
 #include <span>
 #include <string_view>
 
-#include "analysis/errors/Metrics.h"
 #include "analysis/errors/WorstPixel.h"
 #include "analysis/probe/Probe.h"
 #include "filters/core/maps/Image.h"
+#include "filters/core/technique/VisibleError.h"
 
 namespace umbra {
 
@@ -23,7 +23,7 @@ enum class ErrorPart {
   OverDarkening,  // < 0: a shadow where the technique should be lit, even without any reduction
   Reduction,      // ≤ 0: the light that light-bleeding reduction takes away
   Precision,      // v as drawn, from stored channels in the GPU's arithmetic, minus v in double
-  Small,          // an error below the resolution, which was not taken apart
+  Small,          // an error below `resolution`, which was not taken apart
 };
 inline constexpr int errorPartCount = 6;
 std::string_view nameOf(ErrorPart part);  // "bleeding", "contactLeak": as in files

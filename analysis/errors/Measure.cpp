@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "analysis/probe/Explain.h"
+#include "filters/core/technique/VisibleError.h"
 
 namespace umbra {
 
@@ -60,6 +61,11 @@ std::string causeOf(const Probe& probe, std::string_view technique) {
   const TechniqueResult* result = techniqueResult(probe, technique);
   if (!result) return {};
   return explain(probe, *result).sentence;
+}
+
+const char* verdictOf(double error) {
+  if (!isVisibleError(error)) return "no visible error";
+  return error > 0.0 ? "light bleeding" : "over-darkening";
 }
 
 }  // namespace umbra

@@ -24,4 +24,7 @@ double measured(const Metrics& metrics, Quantity quantity);
 // what it is; "" where the technique explains nothing.
 std::string causeOf(const Probe& probe, std::string_view technique);
 
+// "light bleeding", "over-darkening" or "no visible error" (VisibleError.h).
+const char* verdictOf(double error);
+
 }  // namespace umbra

@@ -5,9 +5,6 @@
 
 namespace umbra {
 
-// Errors from here on can be seen: half a step of an 8-bit picture.
-inline constexpr double visibleError = 1.0 / 512.0;
-
 // Statistics of errors e = visibility − reference.
 struct Metrics {
   std::size_t samples = 0;

@@ -8,9 +8,9 @@ namespace {
 
 constexpr int reach = 6;  // pixels on either side of a spot's middle
 constexpr int side = 2 * reach + 1;
-constexpr double visible = 0.05;  // mean error of a spot that anybody sees
-constexpr double umbra = 0.02;    // mean reference of a spot that is fully in shadow
-constexpr double smooth = 5e-4;   // second difference of z_r over a spot on one surface
+constexpr double plainBleeding = 0.05;   // mean error of a spot that anybody sees at once
+constexpr double umbraReference = 0.02;  // mean reference of a spot that is fully in shadow
+constexpr double smoothBend = 5e-4;      // mean second difference of z_r over a spot on one surface
 
 // Sums from the top-left corner, so that the mean over any spot costs four look-ups.
 class SpotMeans {
@@ -68,21 +68,21 @@ std::optional<PicturePixel> worstBleeding(const Image<float>& surfaces,
   const SpotMeans errors(width, height, [&](int x, int y) {
     return double(surfaces(x, y, 3)) - double(reference(x, y));
   });
-  const SpotMeans truths(width, height, [&](int x, int y) { return double(reference(x, y)); });
+  const SpotMeans references(width, height, [&](int x, int y) { return double(reference(x, y)); });
   const SpotMeans bends(width, height, [&](int x, int y) { return bend(surfaces, x, y); });
   std::optional<PicturePixel> inUmbra, anywhere;
-  double mostInUmbra = visible, most = visible;
+  double mostInUmbra = plainBleeding, most = plainBleeding;
   // Spots near the border are left out, so that the surroundings of the spot can be seen.
   const int air = std::max(reach, std::min(width, height) / 12);
   for (int y = air; y < height - air; ++y)
     for (int x = air; x < width - air; ++x) {
       const double error = errors.about(x, y);
-      if (error <= std::min(most, mostInUmbra) || bends.about(x, y) > smooth) continue;
+      if (error <= std::min(most, mostInUmbra) || bends.about(x, y) > smoothBend) continue;
       if (error > most) {
         most = error;
         anywhere = PicturePixel{x, y};
       }
-      if (error > mostInUmbra && truths.about(x, y) < umbra) {
+      if (error > mostInUmbra && references.about(x, y) < umbraReference) {
         mostInUmbra = error;
         inUmbra = PicturePixel{x, y};
       }

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "analysis/plots/ProbePlots.h"
+#include "filters/core/technique/VisibleError.h"
 
 namespace umbra::plot {
 
@@ -36,7 +37,7 @@ PlotMarker receiverMarker(double receiver) {
 }
 
 void addError(Plot& plot, double x, double from, double to, std::string label) {
-  if (std::abs(to - from) < 5e-4) return;
+  if (!isVisibleError(to - from)) return;
   plot.errors.push_back({x, from, to, std::move(label), std::string(errorColour)});
 }
 

@@ -24,7 +24,7 @@ std::string legendName(const TechniqueInfo& info);
 // The receiver's depth z_r.
 PlotMarker receiverMarker(double receiver);
 
-// An error that is too small to be seen is not drawn.
+// Marks an error, unless it is too small to be seen (VisibleError.h).
 void addError(Plot& plot, double x, double from, double to, std::string label);
 
 // A range around z_r and the region's depths, with some space on both sides, within [0,1].

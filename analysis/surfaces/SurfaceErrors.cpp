@@ -4,9 +4,9 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "analysis/errors/Metrics.h"
 #include "analysis/frame/ManyReads.h"
 #include "filters/core/maps/ReceiverBias.h"
+#include "filters/core/technique/VisibleError.h"
 
 namespace umbra {
 namespace {

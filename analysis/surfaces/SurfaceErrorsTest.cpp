@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "analysis/errors/Metrics.h"
 #include "analysis/plots/PlanesForm.h"
 #include "datasets/scenes/SceneCatalogue.h"
 #include "filters/core/technique/TechniqueCatalogue.h"
+#include "filters/core/technique/VisibleError.h"
 
 namespace umbra {
 namespace {

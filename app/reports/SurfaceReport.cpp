@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/errors/Metrics.h"
 #include "app/output/Table.h"
 #include "filters/core/support/Text.h"
+#include "filters/core/technique/VisibleError.h"
 
 namespace umbra {
 namespace {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "filters/core/prefilter/Prefilter.h"
+#include "filters/core/technique/VisibleError.h"
 #include "filters/techniques/csm/Csm.h"
 #include "filters/techniques/esm/Esm.h"
 #include "filters/techniques/evsm/Evsm.h"
@@ -43,7 +44,7 @@ TEST_P(TraceOf, EndsInTheVisibilityWhateverIsRead) {
       sum += share.amount;
     }
     RC_ASSERT(std::abs(sum - error) <= 1e-15 * double(trace.shares.size() + 1));
-    RC_ASSERT((trace.cause == ErrorCause::None) == (std::abs(error) < smallestError));
+    RC_ASSERT((trace.cause == ErrorCause::None) == !isVisibleError(error));
     RC_ASSERT(trace.culprit.has_value() == (trace.cause != ErrorCause::None));
   });
 }
@@ -140,7 +141,7 @@ TEST(TraceCause, Ringing) {
     const double v = draws::visibilityOf(technique, draws::regionOf({0.05}, {1.0}), 0.05 + d);
     if (v > worst) worst = v, at = 0.05 + d;
   }
-  ASSERT_GT(worst, smallestError);
+  ASSERT_GT(worst, visibleError);
   expectCause(traceOf(technique, draws::regionOf({0.05}, {1.0}), at), ErrorCause::Ringing, "f");
 }
 

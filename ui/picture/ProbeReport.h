@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "analysis/errors/Measure.h"
 #include "analysis/probe/Probe.h"
 #include "datasets/session/Session.h"
 #include "ui/picture/Footprint.h"
@@ -30,8 +31,5 @@ struct ProbeReport {
 
 // That of technique `id`; null when the probe has none.
 const TechniqueResult* resultOf(const Probe& probe, std::string_view id);
-
-// "light bleeding", "over-darkening" or "no visible error".
-const char* verdictOf(double error);
 
 }  // namespace umbra

@@ -5,6 +5,7 @@
 
 #include "filters/core/prefilter/Prefilter.h"
 #include "filters/core/support/Text.h"
+#include "filters/core/technique/VisibleError.h"
 
 namespace umbra {
 namespace {
@@ -63,7 +64,7 @@ void ErrorShares::rest(ErrorCause cause, std::string_view symbol, std::string se
 
 void ErrorShares::decide(std::string_view whyRight) {
   const double error = visibility_ - reference_;
-  if (std::abs(error) < smallestError) {
+  if (!isVisibleError(error)) {
     trace_.cause = ErrorCause::None;
     std::string why(whyRight);
     if (occlusion_.blocking.weight == 0.0)

@@ -40,8 +40,8 @@ class ErrorShares {
   // Charges this cause with all that is left between the visibility and the exact one.
   void rest(ErrorCause cause, std::string_view symbol, std::string sentence);
 
-  // Sets the trace's cause: the largest share in the error's direction, none for an error below
-  // `smallestError`. `whyRight` says why a penumbra came out right.
+  // Sets the trace's cause: the largest share in the error's direction, none for an error that
+  // cannot be seen (VisibleError.h). `whyRight` says why a penumbra came out right.
   void decide(std::string_view whyRight);
 
  private:

@@ -34,9 +34,6 @@ enum class ErrorCause {
   Wrapping,           // a series that repeats within the depth range
 };
 
-// An error below this is none that anybody sees.
-inline constexpr double smallestError = 0.02;
-
 // What one cause does to the visibility: positive brightens. The shares of a trace sum to its
 // error.
 struct ErrorShare {

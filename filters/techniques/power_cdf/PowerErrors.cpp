@@ -10,6 +10,9 @@ namespace {
 
 // Depths behind the receiver by at most this part of the region's range belong to its own surface.
 constexpr double ownSurface = 0.05;
+// Counting the own surface apart explains a penumbra that has collapsed where it brings the
+// visibility back to the reference, or above it by at most this.
+constexpr double largestExcess = 0.02;
 
 struct Fit {
   double weight = 0.0, sum = 0.0;
@@ -60,7 +63,7 @@ void chargePower(ErrorShares& shares, double mean, double min, double max, const
   const bool early = t <= std::clamp(exact.sum / exact.weight, min, max);
   if (!early && max > t - ownSurface * (max - min)) {
     const double apart = withOwnSurfaceApart(region, receiver, warp, max - min);
-    if (apart > precise && apart <= shares.reference() + smallestError)
+    if (apart > precise && apart <= shares.reference() + largestExcess)
       shares.without(ErrorCause::CollapsedPenumbra, "max", apart,
                      "the receiver is a surface at the region's farthest depth, where a power "
                      "function leaves nothing behind it: its penumbra collapses to full shadow. "

@@ -68,7 +68,7 @@ QString meaningOf(std::optional<ErrorPart> part) {
           "What the storage format and the GPU's arithmetic change, against the "
           "same technique in double precision.");
     case ErrorPart::Small:
-      return ErrorTable::tr("Errors below half a grey level, 1/512, which are not taken apart.");
+      return ErrorTable::tr("Errors below one grey level, 1/255, which are not taken apart.");
   }
   return {};
 }

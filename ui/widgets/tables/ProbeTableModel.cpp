@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "filters/core/support/Parameters.h"
+#include "filters/core/technique/VisibleError.h"
 #include "ui/widgets/base/Style.h"
 
 namespace umbra {
@@ -113,9 +114,9 @@ QVariant ProbeTableModel::data(const QModelIndex& index, int role) const {
       if (row.pending) return tr("%1: being computed\n%2").arg(row.title, row.citation);
       return tr("%1: v = %2, error %3 (%4)\n%5")
           .arg(row.title, style::figure(row.visibility), style::signedFigure(row.error),
-               row.error > 0   ? tr("too light")
-               : row.error < 0 ? tr("too dark")
-                               : tr("exact"),
+               !isVisibleError(row.error) ? tr("no visible error")
+               : row.error > 0            ? tr("too light")
+                                          : tr("too dark"),
                row.citation);
     case Qt::DisplayRole:
       break;
