@@ -7,11 +7,11 @@
 namespace umbra {
 
 struct EmbeddedLesson {
-  std::string_view name;  // of the file
+  std::string_view name;  // the file's name
   std::string_view text;
 };
 
-// In the order of the files' names, which begin with a number.
+// The order is that of the files' names, which begin with a number.
 std::vector<EmbeddedLesson> embeddedLessons();
 
 }  // namespace umbra

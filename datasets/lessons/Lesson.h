@@ -12,33 +12,33 @@
 
 namespace umbra {
 
-// What is measured: of a step's probe or frame.
+// A quantity of a step's probe or frame.
 struct LessonQuantity {
   Quantity quantity = Quantity::Visibility;
-  std::string technique;  // of the step's session, where the file names none
-  std::size_t step = 0;   // index; in files counted from 1, the step itself where absent
+  std::string technique;  // the session's technique where the file names none
+  std::size_t step = 0;   // index; files count from 1, and leave it out for the step itself
 
   bool operator==(const LessonQuantity&) const = default;
 };
 
 enum class LessonRelation { Less, Greater, Near };
 
-// Holds where `left` stands in `relation` to `right`, or to `value`.
+// The claim that `left` stands in `relation` to `right`, or to `value`.
 struct LessonClaim {
   std::string text;  // "Nothing of the light should arrive here"
   LessonQuantity left;
   LessonRelation relation = LessonRelation::Near;
   std::optional<LessonQuantity> right;
-  double value = 0.0;      // in the place of `right`
+  double value = 0.0;      // used where `right` is absent
   double tolerance = 0.0;  // Near: the largest difference
 };
 
-// What the reader predicts before the program shows it.
+// A question whose answer the reader predicts before the program shows it.
 struct LessonQuestion {
   std::string text;            // Markdown
-  LessonQuantity asked;        // of this step's probe
-  double low = 0.0, high = 1;  // of a prediction, low < high
-  double tolerance = 0.0;      // a prediction that is off by no more is right
+  LessonQuantity asked;        // a quantity of this step's probe
+  double low = 0.0, high = 1;  // the range of a prediction, low < high
+  double tolerance = 0.0;      // a prediction that is off by at most this is right
   std::string explanation;     // Markdown: why it comes out as it does
 };
 
@@ -59,13 +59,14 @@ struct Lesson {
   std::vector<LessonStep> steps;
 };
 
-// Whether `left` and `right` (the claim's `value` where it has none) are as the claim says.
+// Whether `left` and `right` (or the claim's `value`, where it has no `right`) are as the claim
+// says.
 bool holds(const LessonClaim& claim, double left, double right);
 // "visibility of vsm": for tables and failures.
 std::string describe(const LessonQuantity& quantity);
 // "<", ">" or "≈".
 const char* nameOf(LessonRelation relation);
-// The techniques that the step speaks of, each once: the session's first.
+// The techniques that the step mentions, each once; the session's own is first.
 std::vector<std::string> techniquesOf(const Lesson& lesson, std::size_t step);
 
 }  // namespace umbra

@@ -12,8 +12,8 @@ namespace umbra {
 // In teaching order.
 std::vector<Lesson> lessonCatalogue();
 
-// One of the catalogue, or, where `name` ends in ".json", a teacher's own file. Throws BadInput for
-// a name that there is not, with the nearest one, and as readLesson does.
+// The lesson of this name in the catalogue or, where `name` ends in ".json", a teacher's own file.
+// Throws BadInput for an unknown name, with the nearest one, and as readLesson does.
 Lesson lessonNamed(const std::string& name);
 
 }  // namespace umbra

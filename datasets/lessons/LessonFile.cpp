@@ -26,9 +26,9 @@ void require(const std::string& text, const JsonObject& object, const char* key)
   if (text.empty()) refuse(object.where(), std::string(": needs a text '") + key + "'");
 }
 
-// What the steps before and after one are needed for.
+// The place of a step in its lesson, which quantities and claims refer to.
 struct Place {
-  const Session& session;  // of this step
+  const Session& session;  // the step's own
   std::size_t step, steps;
 };
 

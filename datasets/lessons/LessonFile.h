@@ -13,9 +13,9 @@
 //                 "than": {"quantity": "rmse", "technique": "pcf", "step": 2}},
 //                {"quantity": "reference", "relation": "≈", "value": 0, "tolerance": 1e-6}]}]}
 //
-// A text is one string or a list of its lines, Markdown. The session is one as SessionFile reads
-// it; it shows a scene and has a probe. "technique" absent is the session's, "step" absent is the
-// step itself. "question", "claims", "look" and "after" may be absent.
+// A text is one string or a list of its lines, Markdown. The session is one that SessionFile reads;
+// it shows a scene and has a probe. Where "technique" is absent it is the session's, where "step"
+// is absent it is the step itself. "question", "claims", "look" and "after" may be absent.
 #pragma once
 
 #include <filesystem>
@@ -25,7 +25,7 @@
 
 namespace umbra {
 
-// `where` is what errors begin with, the file's name. Throws BadInput that names the key for what
+// Error messages begin with `where`, the file's name. Throws BadInput that names the key for what
 // is missing, unknown, of a wrong type or out of range, and for a technique or session that is not
 // right.
 Lesson lessonFromText(std::string_view text, std::string_view where);
@@ -33,7 +33,7 @@ Lesson lessonFromText(std::string_view text, std::string_view where);
 // Paths of meshes in the file are relative to its folder.
 Lesson readLesson(const std::filesystem::path& file);
 
-// Whether the text says that it is a lesson, right or wrong: to tell it from a session.
+// Whether the text says that it is a lesson, correct or not. This tells a lesson from a session.
 bool looksLikeLesson(const std::filesystem::path& file);
 
 }  // namespace umbra

@@ -1,4 +1,4 @@
-// Lessons as files: what is read, and what is refused with file and key.
+// Lessons as files: which are read, and which are refused with file and key.
 #include "datasets/lessons/LessonFile.h"
 
 #include <gtest/gtest.h>

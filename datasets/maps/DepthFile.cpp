@@ -32,8 +32,8 @@ constexpr int largestSide = 16384;
   throw Error(ErrorKind::BadInput, file.string() + ": " + what);
 }
 
-// A channel of one part of the file. `title` is what viewers show: "part.channel" where the file
-// has several parts.
+// A channel of one part of the file. Viewers show `title`: "part.channel" where the file has
+// several parts.
 struct ChannelPlace {
   int part = 0;
   std::string name, title;
@@ -67,8 +67,9 @@ ChannelPlace channelToRead(const fs::path& file, const std::vector<ChannelPlace>
                    (wanted.empty() ? ": name one as FILE.exr:CHANNEL" : ""));
 }
 
-// What no file of that length can hold is not allocated for. Only the DCT compressions store more
-// than deflate's 1032 bytes in one; a pixel takes two bytes or more.
+// Refuses a size that no file of this length can hold, before memory is allocated for it. Only the
+// DCT compressions store more than deflate's 1032 bytes in one byte; a pixel takes at least two
+// bytes.
 void checkSize(const fs::path& file, const Imf::Header& header, std::int64_t width,
                std::int64_t height) {
   const Imf::Compression compression = header.compression();
@@ -111,8 +112,8 @@ std::string exactly(float value) {
   return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
 }
 
-// Checked by OpenEXR before it allocates anything. It is a setting of the whole process, and files
-// are read on several threads.
+// OpenEXR checks this limit before it allocates anything. The limit is a setting of the whole
+// process, and files are read on several threads.
 void limitImageSize() {
   static const bool limited = [] {
     Imf::Header::setMaxImageSize(largestSide, largestSide);
@@ -171,7 +172,7 @@ void writeExr(const fs::path& file, const std::map<std::string, Image<float>>& c
   header.compression() = Imf::ZIP_COMPRESSION;
   for (const auto& [name, text] : attributes) header.insert(name, Imf::StringAttribute(text));
   const Imf::PixelType type = pixel == ExrPixel::Half ? Imf::HALF : Imf::FLOAT;
-  std::vector<Image<half>> halves;  // what the frame buffer points into
+  std::vector<Image<half>> halves;  // the frame buffer points into these
   halves.reserve(channels.size());
   Imf::FrameBuffer frame;
   for (const auto& [name, image] : channels) {

@@ -238,7 +238,7 @@ TEST_F(DepthFile, RefusesWhatIsNoWholeFile) {
   }
 }
 
-// The library checks the size that it was told; what lies below it must still fit the file.
+// The library checks only the stated size; a smaller size must still fit the file.
 TEST_F(DepthFile, RefusesASizeThatTheFileCannotHold) {
   writeExr(path("m.exr"), {{"Z", noise(4, 4)}}, {});
   std::string bytes = bytesOf(path("m.exr"));
@@ -251,7 +251,7 @@ TEST_F(DepthFile, RefusesASizeThatTheFileCannotHold) {
       bytes[limit + 1] = 0x0f;  // 4095
     }
   }
-  // The table of line offsets belongs to the header, so it is there in full, but nothing beyond.
+  // The table of line offsets belongs to the header, so it is complete, but nothing follows it.
   bytes.resize(bytes.size() + 4096 / 16 * 8);
   write(path("wide.exr"), bytes);
   EXPECT_NE(refusal(path("wide.exr")).find("promises 4096 × 4096 pixels"), std::string::npos)

@@ -30,7 +30,7 @@ std::string textOf(archive* reader) {
   return text ? text : "unknown trouble";
 }
 
-// The current entry. Its size is not believed: it is read until it ends.
+// Reads the current entry. Its stated size is not trusted: the entry is read until it ends.
 std::string contentOf(archive* reader, const fs::path& file, const std::string& name) {
   std::string content;
   char block[1 << 16];

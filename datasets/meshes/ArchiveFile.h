@@ -8,7 +8,7 @@
 namespace umbra {
 
 // The contents of `entries` in their order. Throws BadInput that names the archive and the entry
-// that it lacks, that is damaged or that takes more than 256 MB.
+// that is missing, damaged or larger than 256 MB.
 std::vector<std::string> readArchive(const std::filesystem::path& archive,
                                      const std::vector<std::string>& entries);
 

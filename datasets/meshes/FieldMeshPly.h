@@ -7,9 +7,9 @@
 
 namespace umbra {
 
-// Binary PLY with a property of its name for each field ("property float bleeding"), and for faces
-// "property int object", the number of the object. Throws BadOutput; what stood at `file` stays
-// then.
+// Writes binary PLY with a property for each field under its name ("property float bleeding"), and
+// for faces "property int object", the number of the object. Throws BadOutput, and leaves an
+// earlier `file` as it is then.
 void writePly(const FieldMesh& mesh, const std::filesystem::path& file);
 
 }  // namespace umbra

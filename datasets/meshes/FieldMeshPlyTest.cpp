@@ -68,7 +68,7 @@ TEST_F(FieldMeshPly, TheHeaderNamesFloats) {
   EXPECT_NE(text.find("property int object", faces), std::string::npos) << text;
 }
 
-// Three sheets along one edge, which half-edges cannot hold.
+// Three sheets share one edge, which half-edges cannot represent.
 TEST_F(FieldMeshPly, WhatIsNoManifoldIsWrittenWhole) {
   mesh.triangles = {{0, 1, 2}, {0, 1, 3}, {1, 0, 2}, {0, 1, 3}};
   mesh.objects.assign(4, 0);

@@ -5,7 +5,7 @@
 
 namespace umbra {
 
-// Two triangles of two objects, of which one between them has none.
+// Two triangles that belong to two of three objects; the object between them has no triangle.
 inline FieldMesh sampleFieldMesh() {
   FieldMesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0.25f}, {0, 1, 0}, {1, 1, 0}};

@@ -33,7 +33,7 @@ std::map<std::string, Material> materialsFrom(const std::string& content) {
     } else if (current && (key == "Kd" || key == "Ks")) {
       const std::optional<Eigen::Vector3d> colour = colourFrom(*line);
       if (colour && key == "Kd") current->colour = *colour;
-      // A full highlight in the place of a mirror's picture would hide the shadows.
+      // A mirror is read as a full highlight, which would hide the shadows.
       if (colour && key == "Ks") current->specular = 0.3 * colour->mean();
     } else if (current && key == "Ns") {
       const std::optional<float> value = realFrom(nextWord(*line));

@@ -8,8 +8,9 @@
 
 namespace umbra {
 
-// Diffuse colour (Kd), strength and sharpness of the highlight (Ks, Ns) by name; all else is
-// skipped, and so is a line that cannot be understood. Colours are clamped to [0,1].
+// Reads by name the diffuse colour (Kd) and the strength and sharpness of the highlight (Ks, Ns).
+// Everything else is skipped, and so is a line that cannot be understood. Colours are clamped to
+// [0,1].
 std::map<std::string, Material> materialsFrom(const std::string& content);
 
 }  // namespace umbra

@@ -15,7 +15,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 using Triangle = std::array<std::uint32_t, 3>;
 
-// By the divergence theorem; positive when the faces are counter-clockwise from outside.
+// The volume by the divergence theorem; it is positive when the faces are counter-clockwise from
+// outside.
 double volumeOf(const Mesh& mesh) {
   double volume = 0.0;
   for (const Triangle& t : mesh.triangles)
@@ -25,7 +26,7 @@ double volumeOf(const Mesh& mesh) {
   return volume;
 }
 
-// Every edge is walked once in each direction, counting vertices at the same place as one.
+// Whether every edge is walked once in each direction. Vertices at the same place count as one.
 bool isClosed(const Mesh& mesh) {
   using Place = std::array<float, 3>;
   std::map<std::pair<Place, Place>, int> edges;
@@ -61,7 +62,7 @@ void expectSoundNormals(const Mesh& mesh) {
 struct Body {
   std::string name;
   Mesh mesh;
-  double volume;  // of the faceted body
+  double volume;  // the faceted body's volume
 };
 
 // Area of the regular polygon of n corners in a circle of radius 1.
@@ -179,7 +180,8 @@ TEST(MeshNormals, LeaveOutTrianglesWithoutArea) {
   EXPECT_EQ(mesh.normals[0], Eigen::Vector3f(0, 0, 1));
 }
 
-// A fan round one vertex, as a damaged or a flat-capped file has: more faces than are compared.
+// A fan around one vertex, as in a damaged or flat-capped file: it has more faces than are
+// compared.
 TEST(MeshNormals, HandleAVertexWithThousandsOfFaces) {
   const std::uint32_t count = 20000;
   std::vector<Eigen::Vector3f> points{{0, 0, 0}};

@@ -7,10 +7,10 @@
 
 namespace umbra {
 
-// Logged as a warning where faces were dropped and the caller does not ask for it.
+// It is logged as a warning where faces were dropped and the caller does not ask for the report.
 struct MeshReport {
   std::size_t degenerateFaces = 0, nonFiniteFaces = 0;  // dropped
-  bool normalsComputed = false;                         // where absent, or several at one vertex
+  bool normalsComputed = false;  // because they were absent, or several at one vertex
 };
 
 // The triangles, in the file's own coordinates. Throws BadInput that names the file: unknown

@@ -1,5 +1,5 @@
-// What a mesh file promises, checked before a reader sees it: OpenMesh's readers take a truncated
-// file for a whole one, skip a number that they cannot read and believe any count.
+// Checks what a mesh file promises before a reader sees it. OpenMesh's readers take a truncated
+// file for a whole one, skip a number that they cannot read, and trust any count.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 namespace umbra {
 
 struct CheckedMesh {
-  // The same mesh in the same format, with nothing but positions, normals and faces: what the
-  // reader gets. Text coordinates that are no finite numbers are written as 0.
+  // The same mesh in the same format, with nothing but positions, normals and faces: the reader
+  // gets this. Text coordinates that are not finite numbers are written as 0.
   std::string content;
   bool binary = false;
   std::size_t vertices = 0, faces = 0;   // in `content`; STL readers share equal vertices
@@ -23,8 +23,9 @@ struct CheckedMesh {
   std::vector<std::string> materials;
 };
 
-// `name` stands for the file in messages. All throw BadInput: no mesh of that format, truncated
-// (with what was read against what was promised), or a face that refers to a missing vertex.
+// Messages call the file `name`. All of these throw BadInput where the content is no mesh of that
+// format, is truncated (with what was read and what was promised), or has a face that refers to a
+// missing vertex.
 CheckedMesh checkPly(const std::string& content, const std::string& name);
 CheckedMesh checkOff(const std::string& content, const std::string& name);
 CheckedMesh checkObj(const std::string& content, const std::string& name);

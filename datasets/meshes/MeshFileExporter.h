@@ -1,5 +1,5 @@
-// Hands plain lists to an OpenMesh writer: its own exporter needs half-edges, which drop what is
-// not a manifold.
+// Gives plain lists to an OpenMesh writer. OpenMesh's own exporter needs half-edges, which drop
+// faces that are not a manifold.
 #pragma once
 
 #include <OpenMesh/Core/IO/exporter/BaseExporter.hh>
@@ -35,7 +35,7 @@ class Exporter : public OpenMesh::IO::BaseExporter {
   bool is_triangle_mesh() const override { return true; }
   bool has_vertex_normals() const override { return true; }
 
-  // What no file here holds.
+  // No file here holds these.
   OpenMesh::Vec3d pointd(Vertex) const override { return zero<OpenMesh::Vec3d>(); }
   bool is_point_double() const override { return false; }
   OpenMesh::Vec3d normald(Vertex) const override { return zero<OpenMesh::Vec3d>(); }

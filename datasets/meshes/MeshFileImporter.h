@@ -1,5 +1,5 @@
-// Takes what an OpenMesh reader finds as plain lists: its own importer builds half-edges, which
-// drop or double what is not a manifold, as real models seldom are.
+// Takes what an OpenMesh reader finds as plain lists. OpenMesh's own importer builds half-edges,
+// which drop or double faces that are not a manifold; real models seldom are one.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,7 +13,7 @@ namespace umbra::meshfile {
 class Importer : public OpenMesh::IO::BaseImporter {
  public:
   std::vector<Eigen::Vector3f> positions;
-  std::vector<Eigen::Vector3f> normals;          // as many as positions, zero where none came
+  std::vector<Eigen::Vector3f> normals;  // as many as positions, zero for a position without one
   std::vector<std::vector<std::int32_t>> faces;  // indices as they stood in the file
   bool hasNormals = false;
   // A vertex that was given two different normals lies on a crease, which one normal cannot show.
@@ -49,7 +49,7 @@ class Importer : public OpenMesh::IO::BaseImporter {
   std::size_t n_faces() const override { return faces.size(); }
   std::size_t n_edges() const override { return 0; }
 
-  // What no picture here needs.
+  // No picture here needs these.
   using Vertex = OpenMesh::VertexHandle;
   using Half = OpenMesh::HalfedgeHandle;
   using Edge = OpenMesh::EdgeHandle;

@@ -1,4 +1,4 @@
-// Damaged files: whatever was changed, a reader gives a sound mesh or says what is wrong.
+// Damaged files: whatever was changed, a reader returns a sound mesh or says what is wrong.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -82,7 +82,7 @@ class MeshFileMutation : public testing::TestWithParam<Sample> {
   }
   void TearDown() override { fs::remove(file_); }
 
-  // Whether the file was read; what was read must be sound.
+  // Returns whether the file was read; a mesh that was read must be sound.
   bool isRead(const std::string& content) {
     std::ofstream(file_, std::ios::binary) << content;
     MeshReport report;

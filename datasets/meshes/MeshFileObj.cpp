@@ -1,5 +1,5 @@
-// The check of an OBJ file. It promises no count, so that a file that was cut at a line's end
-// cannot be told from a whole one; a face that was left without its vertices can.
+// The check of an OBJ file. Such a file promises no count, so that one that was cut at a line's end
+// looks whole; a face whose vertices are missing is found.
 #include <algorithm>
 #include <map>
 

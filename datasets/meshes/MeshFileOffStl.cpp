@@ -11,7 +11,7 @@ namespace {
 
 using namespace meshfile;
 
-// Lines that hold something, without comments.
+// The lines that are not empty, without comments.
 class Lines {
  public:
   explicit Lines(std::string_view content) : rest_(content) {}
@@ -133,7 +133,8 @@ CheckedMesh checkStlBinary(const std::string& content, const std::string& name) 
   for (std::size_t facet = 0; facet < promised; ++facet) {
     const char* start = content.data() + stlHeader + facet * stlFacet;
     std::array<float, 9> corners;
-    // After the normal. The reader takes the bytes to be in this machine's order, as we do.
+    // This follows the normal. The reader assumes that the bytes are in this machine's order, and
+    // so does this check.
     std::memcpy(corners.data(), start + 12, sizeof corners);
     bool finite = true;
     for (float value : corners) finite = finite && std::isfinite(value);

@@ -1,5 +1,5 @@
-// The check of a PLY file: its elements are walked as the header lays them out, and what the
-// picture needs of them is copied.
+// The check of a PLY file. It walks over the elements as the header lays them out, and copies what
+// the picture needs.
 #include <algorithm>
 #include <array>
 
@@ -35,7 +35,7 @@ class PlyCheck {
       read_ = 0;
       if (element.properties.empty()) continue;  // whatever its count, it takes no bytes
       for (element_ = &element; read_ < element.count; ++read_) copyElement();
-      // What follows is of no use here, and often of a kind of its own.
+      // The elements after this one are not needed, and often are of unusual kinds.
       if (&element == face_) break;
     }
     return std::move(mesh_);
@@ -161,7 +161,7 @@ class PlyCheck {
       const std::optional<float> value = realFrom(word);
       if (!value) wrong(property.name, word);
       const bool isFinite = *value - *value == 0.0f;
-      // A normal that is no number is as good as none; the vertex stays.
+      // A normal that is not a number counts as none; the vertex stays.
       if (!isFinite && property.name.size() == 1) finite = false;
       (mesh_.content += ' ') += isFinite && *value != 0.0f ? word : std::string_view("0");
     }

@@ -20,7 +20,7 @@ struct PlyType {
 struct PlyProperty {
   std::string name;
   PlyType type;
-  std::optional<PlyType> count;  // a list: the type of its length
+  std::optional<PlyType> count;  // for a list: the type of its length
 };
 
 struct PlyElement {
@@ -34,7 +34,7 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
 };
 
-// Takes the header off `rest`. Throws BadInput that names file and line.
+// Removes the header from `rest` and returns it. Throws BadInput that names file and line.
 PlyHeader readPlyHeader(std::string_view& rest, const std::string& file);
 
 }  // namespace umbra::meshfile

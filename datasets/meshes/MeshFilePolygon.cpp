@@ -9,14 +9,14 @@ namespace {
 using Eigen::Vector3d;
 using Triangle = std::array<std::uint32_t, 3>;
 
-// Looking for an ear takes a time that grows with the cube of the corners; a polygon of more than
-// these is a disc or a damaged file.
+// The time to find an ear grows with the cube of the number of corners. A polygon with more corners
+// than this is a disc or a damaged file.
 constexpr std::size_t manyCorners = 400;
 
 class Polygon {
  public:
   explicit Polygon(std::span<const Vector3d> corners) : corners_(corners) {
-    // Newell's method: the sum of the corners' cross products, seen from one of them.
+    // Newell's method: it adds up the corners' cross products, relative to one of them.
     for (std::size_t i = 0; i < corners.size(); ++i)
       normal_ += (corners[i] - corners[0]).cross(corners[(i + 1) % corners.size()] - corners[0]);
   }
@@ -32,7 +32,7 @@ class Polygon {
     return true;
   }
 
-  // Whether the corner at `i` of what is left can be cut off.
+  // Whether the corner at `i` of the remaining polygon can be cut off.
   bool isEar(const std::vector<std::uint32_t>& left, std::size_t i) const {
     const std::size_t n = left.size();
     const std::uint32_t a = left[(i + n - 1) % n], b = left[i], c = left[(i + 1) % n];
@@ -64,7 +64,7 @@ std::vector<Triangle> triangulated(std::span<const Vector3d> corners) {
   while (left.size() > 3) {
     std::size_t ear = 0;
     while (ear < left.size() && !polygon.isEar(left, ear)) ++ear;
-    if (ear == left.size()) ear = 1;  // it crosses itself: any corner goes
+    if (ear == left.size()) ear = 1;  // the polygon crosses itself: any corner is cut off
     const std::size_t before = (ear + left.size() - 1) % left.size();
     triangles.push_back({left[before], left[ear], left[(ear + 1) % left.size()]});
     left.erase(left.begin() + std::ptrdiff_t(ear));

@@ -9,9 +9,10 @@
 
 namespace umbra::meshfile {
 
-// Corners in order round the polygon, three or more, finite; as many triangles as corners less
-// two, of indices into `corners`, in the same sense of turning. Convex polygons become a fan,
-// hollow ones lose one ear after another; a polygon that crosses itself gives some triangles.
+// Triangulates a polygon of at least three finite corners, in order around it. The result has two
+// triangles fewer than there are corners, of indices into `corners`, with the same sense of
+// turning. Convex polygons become a fan; of others one ear after another is cut off. A polygon that
+// crosses itself gives some triangles.
 std::vector<std::array<std::uint32_t, 3>> triangulated(std::span<const Eigen::Vector3d> corners);
 
 }  // namespace umbra::meshfile

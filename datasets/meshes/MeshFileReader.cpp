@@ -17,7 +17,7 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-// OpenMesh talks to the terminal; what is wrong is said once, as an Error.
+// OpenMesh writes to the terminal; a problem is reported once instead, as an Error.
 class Silence {
  public:
   Silence() {
@@ -60,7 +60,7 @@ void import(const CheckedMesh& checked, const std::string& extension, const std:
                      std::to_string(checked.vertices) + " and " + std::to_string(checked.faces));
 }
 
-// Whether the three span an area that single precision can tell from none.
+// Whether the three positions span an area that single precision can distinguish from none.
 bool hasArea(const std::vector<Eigen::Vector3f>& positions, const Triangle& t) {
   const Eigen::Vector3d a = positions[t[0]].cast<double>(), b = positions[t[1]].cast<double>(),
                         c = positions[t[2]].cast<double>();
@@ -129,7 +129,7 @@ RawMesh readMesh(const std::string& content, const std::string& extension,
   import(checked, extension, name, importer);
   RawMesh raw;
   raw.positions = importer.positions;
-  // Kept, so that indices stay: no triangle refers to it.
+  // The position stays, so that indices do not change; no triangle refers to it.
   for (Eigen::Vector3f& position : raw.positions)
     if (!position.allFinite()) position.setZero();
   raw.materials = checked.materials.empty() ? std::vector<std::string>{""} : checked.materials;
@@ -148,7 +148,7 @@ RawMesh readMesh(const std::string& content, const std::string& extension,
 
 namespace {
 
-// Only the vertices that triangles use, in order of first use.
+// Keeps only the vertices that triangles use, in the order of their first use.
 Mesh compacted(const RawMesh& raw) {
   Mesh mesh;
   std::vector<std::uint32_t> place(raw.positions.size(), UINT32_MAX);

@@ -50,7 +50,7 @@ inline std::string cubePlyText() {
   return text;
 }
 
-// The bytes of a value, in the order that is asked for, on a machine of little end.
+// The bytes of a value in the byte order that is asked for, on a little-endian machine.
 template <class T>
 void appendBytes(std::string& out, T value, bool bigEnd = false) {
   std::array<char, sizeof(T)> bytes;

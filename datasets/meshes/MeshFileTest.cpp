@@ -31,7 +31,7 @@ class MeshFile : public testing::Test {
   Mesh read(const std::string& name, const std::string& content) {
     return readMeshFile(put(name, content), &report_);
   }
-  // The message of the error that reading must end in.
+  // The message of the error that reading must throw.
   std::string refusal(const std::string& name, const std::string& content) {
     try {
       read(name, content);
@@ -82,7 +82,7 @@ TEST_F(MeshFile, ReadsTheSameCubeFromEveryFormat) {
     ASSERT_EQ(mesh.triangles.size(), 12u);
     // Three normals meet at each of eight corners.
     EXPECT_EQ(mesh.positions.size(), 24u);
-    EXPECT_DOUBLE_EQ(volume(mesh), 1.0);  // so every face looks outward
+    EXPECT_DOUBLE_EQ(volume(mesh), 1.0);  // every face looks outward
     EXPECT_TRUE(report_.normalsComputed);
     EXPECT_EQ(report_.degenerateFaces + report_.nonFiniteFaces, 0u);
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
@@ -118,7 +118,7 @@ TEST_F(MeshFile, ComputesNormalsWhereAVertexHasSeveral) {
 }
 
 TEST_F(MeshFile, CutsAHollowPolygonIntoTrianglesInsideIt) {
-  // An arrow head, hollow at its fourth corner: a fan round the first corner would leave it.
+  // An arrow head that is concave at its fourth corner: a fan from the first corner would leave it.
   const Mesh mesh = read("a.obj", "v 0 2 0\nv -2 -2 0\nv 0 -1 0\nv 2 -2 0\nf 3 4 1 2\nf 2 3 4 1\n");
   ASSERT_EQ(mesh.triangles.size(), 4u);
   double area = 0.0;

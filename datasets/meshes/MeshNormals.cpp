@@ -10,8 +10,8 @@ namespace {
 using Eigen::Vector3d;
 using Triangle = std::array<std::uint32_t, 3>;
 
-// Beyond this many faces at one vertex comparing each with each would take quadratic time; only
-// fans and damaged files have so many.
+// With more faces than this at one vertex, the time to compare each with each would grow with their
+// square; only fans and damaged files have so many.
 constexpr std::size_t manyFaces = 256;
 
 struct Corner {
@@ -57,7 +57,7 @@ Vector3d smoothed(const Vector3d& own, std::span<const Corner> around, const Fac
   return sum.norm() > 0.0 ? Vector3d(sum.normalized()) : own;
 }
 
-// Corners by vertex: those of vertex v are corners[first[v]] up to corners[first[v + 1]].
+// The corners of each vertex: those of vertex v are corners[first[v]] up to corners[first[v + 1]].
 struct Incidence {
   std::vector<std::uint32_t> first;
   std::vector<Corner> corners;

@@ -1,4 +1,4 @@
-// Normals for triangles that come without.
+// Computes normals for triangles that have none.
 #pragma once
 
 #include <array>

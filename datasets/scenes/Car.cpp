@@ -16,7 +16,7 @@ struct Section {
   double x, low, waist, high, sill, belt, top;
 };
 
-// Nose to tail; the greenhouse rises between bonnet and boot.
+// From nose to tail; the greenhouse rises between bonnet and boot.
 constexpr Section sections[] = {
     {-2.05, 0.38, 0.48, 0.56, 0.50, 0.56, 0.48}, {-2.00, 0.28, 0.50, 0.66, 0.64, 0.70, 0.60},
     {-1.85, 0.24, 0.54, 0.72, 0.76, 0.80, 0.68}, {-1.55, 0.22, 0.60, 0.79, 0.81, 0.85, 0.72},
@@ -27,7 +27,7 @@ constexpr Section sections[] = {
     {1.75, 0.23, 0.76, 0.92, 0.81, 0.84, 0.70},  {1.95, 0.27, 0.70, 0.87, 0.74, 0.77, 0.66},
     {2.02, 0.36, 0.62, 0.80, 0.62, 0.66, 0.56}};
 
-// The sections between given ones, by Catmull and Rom's spline.
+// Interpolates sections between the given ones by Catmull and Rom's spline.
 Section between(double position) {
   const int count = int(std::size(sections)), i = std::min(int(position), count - 2);
   const double t = position - i;
@@ -46,16 +46,17 @@ Section between(double position) {
           blend(&Section::top)};
 }
 
-// Round the section from the middle of the floor over the right side; mirrored for the left.
+// The outline runs from the middle of the floor over the right side, and is mirrored for the left
+// one.
 std::vector<Vector2d> outlineOf(const Section& s) {
   std::vector<Vector2d> half{{0.5 * s.sill, s.low}, {0.92 * s.sill, s.low}};
-  for (int i = 0; i <= 6; ++i) {  // sill to waist
+  for (int i = 0; i <= 6; ++i) {  // from sill to waist
     const double t = i / 6.0;
     half.emplace_back(s.sill + (s.belt - s.sill) * std::sin(0.5 * pi * t),
                       s.low + 0.05 + t * (s.waist - s.low - 0.05));
   }
   const double shoulder = 0.10 * (s.high - s.waist);
-  for (int i = 1; i <= 6; ++i) {  // waist to the roof's edge
+  for (int i = 1; i <= 6; ++i) {  // from waist to the roof's edge
     const double t = i / 6.0;
     half.emplace_back(s.belt - 0.04 * t + (s.top - s.belt + 0.04) * t * t,
                       s.waist + t * (s.high - s.waist - shoulder));
@@ -86,7 +87,7 @@ Mesh body() {
       triangles.push_back({a, a + around, b + around});
       triangles.push_back({a, b + around, b});
     }
-  // Closed at nose and tail by fans round the middle.
+  // Fans about the middle close nose and tail.
   for (bool tail : {false, true}) {
     const std::uint32_t base = tail ? std::uint32_t(rings) * around : 0;
     const Section& s = sections[tail ? std::size(sections) - 1 : 0];
@@ -124,7 +125,7 @@ Mesh windows() {
   Mesh mesh;
   const Vector2d front[] = {{-0.66, 0.90}, {0.08, 0.90}, {0.08, 1.28}, {-0.16, 1.26}};
   const Vector2d rear[] = {{0.16, 0.90}, {1.22, 0.90}, {1.00, 1.22}, {0.70, 1.28}, {0.16, 1.29}};
-  // Leaning inwards as the greenhouse does.
+  // They lean inwards as the greenhouse does.
   const Eigen::Affine3d lean =
       moved({0.0, 0.90, 0.90}) * turned(-27.0, Vector3d::UnitX()) * moved({0.0, -0.90, 0.0});
   const auto add = [&](std::span<const Vector2d> outline) {

@@ -27,7 +27,7 @@ Mesh fence(int pickets) {
   return mesh;
 }
 
-// A wall of staggered bricks with joints, its front towards +z.
+// A wall of staggered bricks with joints; its front faces +z.
 Mesh wall(double low, double high, double top, double z) {
   const double height = 0.17, length = 0.44, joint = 0.014;
   Mesh mesh = box({low + 0.01, 0.0, z - 0.20}, {high - 0.01, top - 0.02, z - 0.015});

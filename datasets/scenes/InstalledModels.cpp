@@ -74,13 +74,13 @@ const Model* modelNamed(const std::string& name) {
   return nullptr;
 }
 
-// Half-way to the picture's sRGB from the linear values that the model's makers wrote: as they
-// stand they are so dark that no shadow shows on them.
+// A mean of the model's linear colours and their sRGB values. Linear colours shown unchanged are so
+// dark that no shadow can be seen on them.
 Eigen::Vector3d lifted(const Eigen::Vector3d& colour) {
   return colour.array().pow(0.65).matrix();
 }
 
-// One mesh for each material, in the order of first use, so that each has its own colour.
+// One mesh for each material, in the order of first use, so that each keeps its own colour.
 std::vector<SceneObject> objectsOf(const meshfile::RawMesh& raw,
                                    const std::map<std::string, Material>& materials) {
   std::vector<SceneObject> objects;

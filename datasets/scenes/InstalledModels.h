@@ -10,17 +10,18 @@
 
 namespace umbra {
 
-// Where the package puts its collections.
+// The folder where the package puts its collections.
 std::filesystem::path installedModelsFolder();
 
-// Always the same entries; `missing` says which package to install where `folder` lacks it.
+// The entries are always the same; `missing` names the package to install where `folder` lacks it.
 std::vector<SceneInfo> installedModelInfos(
     const std::filesystem::path& folder = installedModelsFolder());
 
 bool isInstalledModel(const std::string& name);
 
-// With light and camera so that its shadows overlap; objects by material, in the model's colours.
-// Throws BadInput: no such model, the package to install, or what is wrong with the collection.
+// The model with a light and a camera that make its shadows overlap; it has an object for each
+// material, in the model's colours. Throws BadInput: there is no such model, which package to
+// install, or what is wrong with the collection.
 Scene makeInstalledModel(const std::string& name,
                          const std::filesystem::path& folder = installedModelsFolder());
 

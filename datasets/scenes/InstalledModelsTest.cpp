@@ -96,7 +96,7 @@ TEST_F(InstalledModels, AreReadWithTheColoursOfTheirMaterials) {
   EXPECT_EQ(scene.objects[0].material.shininess, 9.0);
   EXPECT_EQ(scene.objects[1].name, "red");
   EXPECT_EQ(scene.objects[1].mesh.triangles.size(), 2u);
-  // Lifted, but the order of the channels and what is full stay.
+  // The colours are lifted, but the order of the channels stays, and a full channel stays full.
   const Eigen::Vector3d red = scene.objects[1].material.colour;
   EXPECT_DOUBLE_EQ(red.z(), 1.0);
   EXPECT_GT(red.x(), 0.8);
@@ -121,7 +121,7 @@ TEST_F(InstalledModels, RefuseADamagedArchive) {
   EXPECT_NE(refusal("iron-fence").find(collection().string()), std::string::npos);
 }
 
-// Against the package itself, which the tests' list of packages brings.
+// This reads the package itself, which the tests' list of packages installs.
 TEST(InstalledPackage, BringsEveryModel) {
   for (const SceneInfo& info : installedModelInfos()) {
     SCOPED_TRACE(info.name);

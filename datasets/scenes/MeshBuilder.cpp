@@ -11,7 +11,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 using Triangle = std::array<std::uint32_t, 3>;
 
-// Rows of `columns` points each become a surface; a row that closes on itself is joined.
+// Rows of `columns` points each become a surface; a row that is closed is joined to itself.
 struct Grid {
   std::vector<Eigen::Vector3f> points;
   std::uint32_t columns = 0;
@@ -33,7 +33,7 @@ struct Grid {
   }
 };
 
-// Welded poles: the points of a row without extent become one, so that normals there are smooth.
+// Welds poles: the points of a row of size 0 become one, so that normals are smooth there.
 Mesh finished(const Grid& grid) {
   std::vector<Eigen::Vector3f> points;
   std::vector<std::uint32_t> index(grid.points.size());

@@ -26,20 +26,20 @@ Mesh sphere(const Vector3d& centre, double radius, int segments = 48);
 Mesh cylinder(const Vector3d& from, const Vector3d& to, double fromRadius, double toRadius,
               int segments = 24);
 
-// Round tube along a polyline, open joints hidden by rounding them; one radius per point.
+// A round tube along a polyline with rounded joints; `radii` has one radius for each point.
 Mesh tube(std::span<const Vector3d> path, std::span<const double> radii, int segments = 12);
 
-// `profile` (distance from the y axis, height), from the bottom to the top, turned round y.
+// Turns `profile` (distance from the y axis, height; from the bottom to the top) around the y axis.
 Mesh lathe(std::span<const Vector2d> profile, int segments = 48);
 
 // A ring of circular section about `axis`.
 Mesh torus(const Vector3d& centre, const Vector3d& axis, double radius, double thickness,
            int segments = 48, int sides = 16);
 
-// A prism: `outline` in x and y, counter-clockwise, simple, from z = back to z = front.
+// A prism from z = back to z = front. `outline` is in x and y, counter-clockwise and simple.
 Mesh extruded(std::span<const Vector2d> outline, double back, double front);
 
-// A leaf of one sheet, folded a little along its rib, from `stem` along `direction`.
+// A leaf of one sheet, folded a little along its rib; it grows from `stem` along `direction`.
 void addLeaf(Mesh& mesh, const Vector3d& stem, const Vector3d& direction, const Vector3d& normal,
              double length, double width);
 
@@ -49,12 +49,12 @@ Mesh transformed(const Mesh& mesh, const Eigen::Affine3d& transform);  // rigid 
 Eigen::Affine3d moved(const Vector3d& by);
 Eigen::Affine3d turned(double degrees, const Vector3d& axis = Vector3d::UnitY());
 
-// A generator of numbers that are the same on every machine, which std's distributions are not.
+// Random numbers that are the same on every machine, unlike those of std's distributions.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
   double uniform(double low = 0.0, double high = 1.0);
-  Vector3d direction();  // evenly over the sphere
+  Vector3d direction();  // uniform over the sphere
 
  private:
   std::uint64_t state_;

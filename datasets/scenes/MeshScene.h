@@ -8,8 +8,8 @@
 
 namespace umbra {
 
-// Centred, scaled to a height or width of about 4 and set on the ground, with light and camera
-// fitted. Throws BadInput as readMeshFile does.
+// Centres the mesh, scales it to a height or width of about 4, sets it on the ground, and fits
+// light and camera. Throws BadInput as readMeshFile does.
 Scene sceneFromMeshFile(const std::filesystem::path& file, MeshReport* report = nullptr);
 
 }  // namespace umbra

@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Towards a point `right` degrees from +z and `up` degrees above the horizon.
+// The direction that points `right` degrees from +z and `up` degrees above the horizon.
 Vector3d towards(double right, double up) {
   const double a = right * std::numbers::pi / 180.0, b = up * std::numbers::pi / 180.0;
   return {std::sin(a) * std::cos(b), std::sin(b), std::cos(a) * std::cos(b)};
@@ -40,7 +40,8 @@ Scene stagedScene(std::vector<SceneObject> objects, const Stage& stage) {
 
   // The ground reaches as far as the shadow, so that the light's frame holds it.
   const Vector3d half = 0.5 * scale * box.sizes(), sun = towards(stage.sunFrom, stage.sunUp);
-  const Vector3d reach = -2.0 * half.y() * sun / std::max(sun.y(), 0.2);  // of the top's shadow
+  const Vector3d reach =
+      -2.0 * half.y() * sun / std::max(sun.y(), 0.2);  // of the shadow of the model's top
   const double margin = 0.35;
   const Vector3d shadow(0.5 * reach.x(), 0.0, 0.5 * reach.z());
   scenes::addGround(scene, shadow, half.x() + 0.5 * std::abs(reach.x()) + margin,
@@ -49,7 +50,7 @@ Scene stagedScene(std::vector<SceneObject> objects, const Stage& stage) {
   const Vector3d target(0.35 * shadow.x(), 0.85 * half.y(), 0.35 * shadow.z());
   scene.light = scenes::sun(target + 10.0 * sun, target);
 
-  // A sphere round the model and half of its shadow all but fills the view; its corners are empty.
+  // A sphere around the model and half of its shadow almost fills the view; its corners stay empty.
   const double viewAngle = 30.0;
   const double radius = (half + 0.25 * reach.cwiseAbs()).norm();
   const double distance = 0.72 * radius / std::sin(0.5 * viewAngle * std::numbers::pi / 180.0);

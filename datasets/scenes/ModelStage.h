@@ -1,4 +1,4 @@
-// A model from elsewhere, of any size and place, set on a ground in the light.
+// Sets a model of any size and place on a ground in the light.
 #pragma once
 
 #include <vector>
@@ -8,16 +8,16 @@
 namespace umbra {
 
 struct Stage {
-  double size = 4.0;       // of the model's longest side, world units
-  double turn = 0.0;       // degrees about the vertical, before the camera sees it
+  double size = 4.0;       // the model's longest side, world units
+  double turn = 0.0;       // degrees that the model is turned about the vertical
   double viewFrom = 28.0;  // degrees that the camera stands to the right of +z
   double viewUp = 20.0;    // degrees that it looks down
   double sunFrom = -40.0;  // degrees that the light stands to the right of +z
   double sunUp = 52.0;     // its height above the horizon, degrees
 };
 
-// Scaled, centred over the origin, its lowest point on y = 0, with a paved ground, a directional
-// light and a camera that holds model and shadow.
+// Scales the objects, centres them over the origin with their lowest point on y = 0, and adds a
+// paved ground, a directional light and a camera whose view holds model and shadow.
 Scene stagedScene(std::vector<SceneObject> objects, const Stage& stage);
 
 }  // namespace umbra

@@ -4,8 +4,8 @@
 namespace umbra::scenes {
 namespace {
 
-// The posts reach from the ground to `height` and bound the light's frame whatever the plates'
-// depths are, so that a plate at parameter z lies at normalised depth z: the frame adds 2 % of the
+// The posts reach from the ground to `height` and fix the light's frame whatever the depths of the
+// plates are, so that a plate at parameter z lies at normalised depth z: the frame adds 2 % of the
 // height on either side.
 constexpr double height = 3.2, halfWidth = 2.0, plateThickness = 0.02;
 
@@ -13,14 +13,14 @@ double heightAt(double z) {
   return height * (1.02 - 1.04 * z);
 }
 
-// Horizontal, its upper side at normalised depth z.
+// A horizontal plate, whose upper side lies at normalised depth z.
 Mesh plate(double z, double lowX, double highX, double lowZ, double highZ) {
   const double top = heightAt(z);
   return box({lowX, top - plateThickness, lowZ}, {highX, top, highZ});
 }
 
-// Thinner below, so that their sides face away from the light: along its rays they would catch
-// noise.
+// The posts are thinner below, so that their sides face away from the light. Sides along the
+// light's rays would catch noise.
 SceneObject posts() {
   Mesh mesh;
   for (double x : {-halfWidth, halfWidth})

@@ -32,7 +32,7 @@ SceneEntry entryNamed(const std::string& name) {
          (nearest.empty() ? "; there are " + joined(names) : "; did you mean '" + nearest + "'?"));
 }
 
-// Every parameter of the scene, given or default.
+// Every parameter of the scene, as given or its default.
 scenes::Values valuesFor(const SceneInfo& info, const std::map<std::string, double>& given) {
   scenes::Values values;
   std::vector<std::string> names;
@@ -41,7 +41,7 @@ scenes::Values valuesFor(const SceneInfo& info, const std::map<std::string, doub
     names.push_back(parameter.name);
     const auto found = given.find(parameter.name);
     if (found == given.end()) continue;
-    // Written so that a NaN fails too.
+    // The comparison is written so that a NaN fails, too.
     if (!(found->second >= parameter.low && found->second <= parameter.high))
       refuse("scene " + info.name + ": " + parameter.name + ": " + shortNumber(found->second) +
              " is not right, it takes a number from " + shortNumber(parameter.low) + " to " +

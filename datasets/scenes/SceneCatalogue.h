@@ -9,7 +9,7 @@
 
 namespace umbra {
 
-// What a scene lets one adjust, such as the depths of three-planes.
+// A number that can be set in a scene, such as a depth of three-planes.
 struct SceneParameter {
   std::string name;  // kebab-case
   std::string doc;
@@ -19,20 +19,21 @@ struct SceneParameter {
 struct SceneInfo {
   std::string name, title, description, figure;
   std::vector<SceneParameter> parameters;
-  // Of a scene that consists of planes across the light: the parameters that are their depths,
-  // nearest to the light first; the last is the receiver's. Else empty.
+  // For a scene that consists of planes across the light: the parameters that are their depths,
+  // nearest to the light first; the last one is the receiver's. Otherwise empty.
   std::vector<std::string> planes;
-  std::string missing;  // why it cannot be opened here: the package that would bring it; else ""
+  std::string missing;  // why it cannot be opened here, with the package to install; else ""
 };
 
 std::vector<SceneInfo> sceneCatalogue();
 
-// Deterministic: same name and parameters, same vertices. Throws BadInput for an unknown name
-// (with the nearest one), an unknown parameter, a value out of range, or a missing package.
+// Deterministic: the same name and parameters give the same vertices. Throws BadInput for an
+// unknown name (with the nearest one), an unknown parameter, a value out of range, or a missing
+// package.
 Scene makeScene(const std::string& name, const std::map<std::string, double>& parameters = {});
 
-// The depths of the scene's planes with these parameters; empty for a scene of something else or of
-// no known name. Throws as makeScene for a wrong parameter.
+// The depths of the scene's planes with these parameters; empty for any other scene and for an
+// unknown name. Throws as makeScene for a wrong parameter.
 std::vector<double> planeDepthsOf(const std::string& name,
                                   const std::map<std::string, double>& parameters = {});
 

@@ -68,7 +68,7 @@ TEST_P(EveryScene, HasSoundMeshes) {
     ASSERT_EQ(mesh.positions.size(), mesh.normals.size());
     EXPECT_TRUE(std::all_of(mesh.positions.begin(), mesh.positions.end(),
                             [](const Eigen::Vector3f& p) { return p.allFinite(); }));
-    // Three squares and a root in single precision: a few units in the last place.
+    // Three squares and a root in single precision are right to a few units in the last place.
     EXPECT_TRUE(std::all_of(mesh.normals.begin(), mesh.normals.end(), [](const Eigen::Vector3f& n) {
       return std::abs(n.norm() - 1.0f) < 1e-6f;
     }));
@@ -97,7 +97,7 @@ TEST_P(EveryScene, IsSeenFromOutsideItsBodies) {
   const Eigen::AlignedBox3d bounds = scene.lightBounds();
   EXPECT_GT(scene.camera.position.y(), 0.0);
   for (const SceneObject& object : scene.objects) {
-    if (!object.boundsLight) continue;  // grounds, whose top the line above is about
+    if (!object.boundsLight) continue;  // grounds are excluded: the line above checks their top
     EXPECT_FALSE(object.mesh.bounds().contains(scene.camera.position)) << object.name;
     EXPECT_FALSE(object.mesh.bounds().contains(scene.light.position)) << object.name;
   }
@@ -105,21 +105,21 @@ TEST_P(EveryScene, IsSeenFromOutsideItsBodies) {
   EXPECT_TRUE(bounds.contains(aim)) << "the camera looks past the scene";
 }
 
-// Solid, to the horizon, and with its hole exactly as wide as the paving.
+// The ground is solid, reaches to the horizon, and its hole is exactly as wide as the paving.
 TEST_P(EveryScene, HasItsPavingSetIntoItsGround) {
   const Scene scene = makeScene(GetParam().name);
   const auto named = [&](const char* name) {
     return std::ranges::find(scene.objects, name, &SceneObject::name);
   };
   const auto paving = named("paving"), ground = named("ground");
-  if (paving == scene.objects.end()) return;  // of planes only
+  if (paving == scene.objects.end()) return;  // the scene has planes only
   ASSERT_NE(ground, scene.objects.end());
   EXPECT_TRUE(isClosedBody(ground->mesh));
   EXPECT_TRUE(isClosedBody(paving->mesh));
   const Eigen::AlignedBox3d set = paving->mesh.bounds(), wide = ground->mesh.bounds();
   EXPECT_LT(wide.max().y(), set.max().y());
   EXPECT_GT(wide.max().y(), set.min().y());
-  // Of floats up to 64: each end is rounded by up to 2^-19.
+  // These are floats up to 64: each end is rounded by up to 2^-19.
   EXPECT_NEAR(wide.sizes().x(), 120.0, 0x1p-18);
   EXPECT_NEAR(wide.sizes().z(), 120.0, 0x1p-18);
   Eigen::AlignedBox3d hole;
@@ -175,7 +175,7 @@ TEST(SceneCatalogue, NamesEachSceneOnce) {
     EXPECT_TRUE(names.contains(name)) << name;
 }
 
-// The plates lie where the parameters say in the light's own depth.
+// The plates lie at the depths that the parameters give, measured in the light's own depth.
 TEST(SceneCatalogue, PutsThePlanesAtTheirDepths) {
   const Scene scene = makeScene("three-planes", {{"a", 0.1}, {"b", 0.5}, {"c", 0.9}});
   const LightFrame frame = fitLightFrame(scene.light, scene.lightBounds());

@@ -16,7 +16,7 @@ using Values = std::map<std::string, double>;
 
 struct SceneEntry {
   SceneInfo info;
-  // Fills objects, light and camera; the catalogue adds what `info` says.
+  // Fills objects, light and camera; the catalogue adds the texts of `info`.
   std::function<Scene(const Values&)> build;
 };
 
@@ -30,13 +30,13 @@ SceneEntry car();
 SceneEntry foliage();
 SceneEntry teapotArcade();
 
-// What scenes share.
+// Helpers that several scenes use.
 Light sun(const Vector3d& position, const Vector3d& target = Vector3d::Zero());
 Camera lookFrom(const Vector3d& position, const Vector3d& target, double viewAngle = 30.0);
 // A paved square that catches the scene's shadows and bounds the light's frame, set into a hole of
-// a wide ground that does not; both with their top at or just below y = 0. Nothing of the ground
-// that is turned to a light 20° or more above the horizon lies under the paving, where it would
-// receive shadow that nobody sees.
+// a wide ground that does not bound it. The top of either is at or just below y = 0. No ground that
+// is turned to a light 20° or more above the horizon lies under the paving, where it would receive
+// shadow that nobody sees.
 void addGround(Scene& scene, const Vector3d& centre, double halfX, double halfZ,
                const Vector3d& paving, const Vector3d& surroundings);
 SceneObject object(std::string name, Mesh mesh, const Vector3d& colour);

@@ -12,7 +12,8 @@ struct Ball {
   Vector3d colour;
 };
 
-// Placed along the light's rays, so that which shadows overlap does not depend on the heights.
+// The spheres are placed along the light's rays, so that the heights do not decide which shadows
+// overlap.
 Vector3d centreOf(const Ball& ball, double height) {
   return Vector3d(ball.x, 0.0, ball.z) + height / lightAt.y() * lightAt;
 }

@@ -1,11 +1,11 @@
-// Newell's teapot, turned from its outlines.
+// Newell's teapot as surfaces of revolution.
 #pragma once
 
 #include "datasets/scenes/MeshBuilder.h"
 
 namespace umbra::scenes {
 
-// Stands on the origin with its spout towards +x, `height` tall to the top of the knob.
+// It stands on the origin with its spout towards +x, `height` tall to the top of the knob.
 Mesh teapot(double height);
 
 }  // namespace umbra::scenes

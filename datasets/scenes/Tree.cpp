@@ -11,7 +11,7 @@ struct Cluster {
   double radius = 0.0;
 };
 
-// A limb that rises as it leaves the trunk; returns where it ends.
+// Adds a limb that rises as it leaves the trunk; returns where it ends.
 Vector3d addLimb(Mesh& wood, Random& random, const Vector3d& from, const Vector3d& to,
                  double radius) {
   std::vector<Vector3d> path;
@@ -46,7 +46,8 @@ Tree growTree(const TreeShape& shape) {
   std::vector<Cluster> clusters;
   const int limbs = 15;
   for (int i = 0; i < limbs; ++i) {
-    // Evenly round the trunk by the golden angle, from the crown's base to its top.
+    // Limbs stand around the trunk at multiples of the golden angle, from the crown's base to its
+    // top.
     const double t = (i + 0.5) / limbs, angle = 2.39996323 * i;
     const double y = middle + halfHeight * (1.7 * t - 0.85);
     const double reach = 0.72 * shape.crown * std::sqrt(1.0 - std::pow(1.7 * t - 0.85, 2));

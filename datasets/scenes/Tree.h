@@ -6,7 +6,7 @@
 namespace umbra::scenes {
 
 struct TreeShape {
-  double height = 4.2;  // of the crown's top
+  double height = 4.2;  // height of the crown's top
   double crown = 1.7;   // horizontal radius of the crown
   double trunk = 0.13;  // radius at the foot
   int leaves = 5000;
@@ -18,7 +18,7 @@ struct Tree {
   Mesh wood, leaves;
 };
 
-// Its foot stands on the origin.
+// The tree's foot stands on the origin.
 Tree growTree(const TreeShape& shape);
 
 }  // namespace umbra::scenes

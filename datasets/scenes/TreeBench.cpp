@@ -4,7 +4,7 @@
 namespace umbra::scenes {
 namespace {
 
-// Along x, the seat's front edge towards +z, standing on y = 0.
+// The bench lies along x and stands on y = 0; the seat's front edge faces +z.
 std::pair<Mesh, Mesh> bench() {
   Mesh wood, iron;
   const double half = 0.95, seat = 0.46;
