@@ -1,5 +1,5 @@
-// What needs OpenGL or Qt, behind an interface: the program loads the library that implements it
-// only when a command asks for it, so that everything else starts without either.
+// An interface to what needs OpenGL or Qt. The program loads the library that implements it only
+// when a command asks for it, so that everything else starts without either.
 #pragma once
 
 #include <filesystem>
@@ -15,14 +15,14 @@
 
 namespace umbra {
 
-// One scene on one headless OpenGL context.
+// One scene in one headless OpenGL context.
 class HeadlessFrame {
  public:
   virtual ~HeadlessFrame() = default;
 
-  // Draws with this technique. Throws WorkFailed with what OpenGL or VTK reported.
+  // Draws with this technique. Throws WorkFailed with the errors of OpenGL or VTK.
   virtual void render(const Technique& technique, ViewMode view) = 0;
-  // Of the last frame: see ShadowRenderer.
+  // These read back the last frame, as in ShadowRenderer.
   virtual Image<std::uint8_t> colour() = 0;
   virtual Image<float> surfaces() = 0;
   virtual Image<float> footprints() = 0;
@@ -31,8 +31,8 @@ class HeadlessFrame {
   virtual const DepthMap& depthMap(int cascade = 0) = 0;
   virtual const std::vector<Cascade>& cascades() = 0;
   virtual Image<float> channels(BakeStage stage) = 0;
-  // Where light bleeds most plainly: the pixel that the window goes to as well. None where no spot
-  // of the picture bleeds visibly.
+  // The pixel where light bleeds most plainly, which the window goes to as well. Nothing where no
+  // spot of the picture bleeds so that anybody sees it.
   virtual std::optional<Pixel> plainestBleeding() = 0;
 };
 
@@ -49,21 +49,22 @@ class Display {
   // Returns the exit status of the window. Needs an X or Wayland display.
   virtual int runWindow(int& argc, char** argv, const Session& session) = 0;
 
-  // `scene` as the session sees it: its light, camera, frame settings and size. Throws NoOpenGL.
+  // A frame that draws `scene` with the session's light, camera, frame settings and size. Throws
+  // NoOpenGL.
   virtual std::unique_ptr<HeadlessFrame> makeFrame(std::shared_ptr<const Scene> scene,
                                                    const Session& session) = 0;
 
-  // .svg, .pdf or .png. Throws BadOutput.
+  // The file is .svg, .pdf or .png. Throws BadOutput.
   virtual void writePlot(const Plot& plot, const std::filesystem::path& file) = 0;
-  // PNG of one picture as it is, or of several side by side, each under its label.
+  // Writes as PNG one picture as it is, or several side by side, each under its label.
   virtual void writePictures(const std::vector<LabelledPicture>& pictures,
                              const std::filesystem::path& file) = 0;
 
-  // The same in memory, for documents that contain them.
+  // The same in memory, for documents that contain plots and pictures.
   virtual std::string svgOf(const Plot& plot) = 0;
   virtual std::string pngOf(const Image<std::uint8_t>& picture) = 0;
 
-  // A mesh with values as VTK PolyData. Throws BadOutput.
+  // Writes a mesh with values as VTK PolyData. Throws BadOutput.
   virtual void writeVtp(const FieldMesh& mesh, const std::filesystem::path& file) = 0;
 };
 

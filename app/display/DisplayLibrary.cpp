@@ -16,7 +16,8 @@ namespace {
 
 constexpr const char* libraryName = "libumbrascope_display.so";
 
-// Beside the program as it was built (bin, lib) or installed, or in its own folder.
+// The library is beside the program as it was built (bin, lib) or installed, or in the program's
+// folder.
 fs::path findLibrary() {
   std::error_code problem;
   const fs::path folder = fs::read_symlink("/proc/self/exe", problem).parent_path();

@@ -54,11 +54,11 @@ class QtVtkDisplay final : public Display {
   }
 
  private:
-  // Text needs an application, which without a display is one that draws off screen.
+  // Text needs an application; without a display it is one that draws off screen.
   void startQt() {
     if (QCoreApplication::instance()) return;
     qputenv("QT_QPA_PLATFORM", "offscreen");
-    // Qt's remarks about the environment are no result and no error of ours.
+    // Qt's messages about the environment are neither a result nor an error of the program.
     qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& text) {
       if (type == QtCriticalMsg || type == QtFatalMsg) spdlog::error("{}", text.toStdString());
     });

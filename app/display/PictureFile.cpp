@@ -18,7 +18,7 @@ constexpr int labelHeight = 40;  // pixels above a picture
 constexpr int fontHeight = 22;   // pixels
 constexpr int mostInARow = 4;
 
-// Shares the picture's memory.
+// The image shares the picture's memory.
 QImage wrapped(const Image<std::uint8_t>& picture) {
   return QImage(picture.values().data(), picture.width(), picture.height(), picture.width() * 3,
                 QImage::Format_RGB888);
@@ -62,7 +62,7 @@ std::string encoded(const QImage& image) {
 
 void writePng(const std::vector<LabelledPicture>& pictures, const std::filesystem::path& file) {
   const QImage image = pictures.size() == 1 ? wrapped(pictures.front().colour) : sheetOf(pictures);
-  // Into memory first: an image writer on a full disk reports success.
+  // The file is written to memory first: an image writer on a full disk reports success.
   writeTextAtomically(file, encoded(image));
 }
 

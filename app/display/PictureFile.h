@@ -8,8 +8,8 @@
 
 namespace umbra {
 
-// One picture as it is; several side by side, at most four in a row, each under its label. Needs a
-// QApplication for several. Throws BadOutput; nothing half-written.
+// Writes one picture as it is, or several side by side, at most four in a row, each under its
+// label; several need a QApplication. Throws BadOutput and then leaves no file half written.
 void writePng(const std::vector<LabelledPicture>& pictures, const std::filesystem::path& file);
 
 // One picture as it is.

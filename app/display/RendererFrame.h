@@ -1,4 +1,4 @@
-// HeadlessFrame on the shadow renderer and an EGL window.
+// Implements HeadlessFrame by the shadow renderer and an EGL window.
 #pragma once
 
 #include <vtkRenderWindow.h>
@@ -38,7 +38,7 @@ class RendererFrame final : public HeadlessFrame {
   vtkSmartPointer<vtkRenderWindow> window_;
   ShadowRenderer renderer_;
   FrameSettings settings_;
-  bool saidSamples_ = false;  // that the driver gives fewer than were asked for
+  bool saidSamples_ = false;  // whether the log says that the driver gives fewer samples
 };
 
 }  // namespace umbra

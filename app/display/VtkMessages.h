@@ -7,7 +7,7 @@
 
 namespace umbra {
 
-// Installed in place of VTK's own output window. Warnings go to the log.
+// It is installed in place of VTK's own output window. Warnings go to the log.
 class VtkMessages final : public vtkOutputWindow {
  public:
   static VtkMessages* New();

@@ -9,12 +9,13 @@
 
 namespace umbra {
 
-// Of the frame as it was last rendered with `technique` and `settings`. Can be interrupted.
+// Decomposes the frame that was last rendered, with `technique` and `settings`. Can be interrupted.
 ErrorDecomposition decomposeFrame(HeadlessFrame& frame, const FrameSettings& settings,
                                   const Technique& technique,
                                   const DecompositionSettings& how = {});
 
-// A channel of each part, by its name, 0 where no shadow falls; "receives" is 1 where one does.
+// A file with a channel for each part, under its name, 0 where no shadow falls; "receives" is 1
+// where shadow falls.
 ChannelFile decompositionFile(const Session& session, const Technique& technique,
                               const ErrorDecomposition& decomposition);
 

@@ -1,4 +1,4 @@
-// What is known of every pixel of a frame, as channels of an EXR file.
+// All that is known of every pixel of a frame, as channels of an EXR file.
 #pragma once
 
 #include <filesystem>
@@ -8,9 +8,9 @@
 
 namespace umbra {
 
-// Of the first frame added: R, G, B, u, v, receiver, reference. Of each: TECHNIQUE.R, .G, .B,
-// .visibility and .error, which is 0 where a pixel receives no shadow. Colours are linear, as EXR
-// viewers expect them.
+// The first frame that is added gives R, G, B, u, v, receiver and reference. Each frame gives
+// TECHNIQUE.R, .G, .B, .visibility and .error, which is 0 where a pixel receives no shadow. Colours
+// are linear, as EXR viewers expect.
 class FrameLayers {
  public:
   explicit FrameLayers(const Session& session) : file_(session) {}
@@ -24,7 +24,8 @@ class FrameLayers {
   bool first_ = true;
 };
 
-// visibility − reference where a pixel receives shadow, else 0. `surfaces` as of HeadlessFrame.
+// visibility − reference where a pixel receives shadow, else 0. `surfaces` is that of
+// HeadlessFrame.
 Image<float> errorOf(const Image<float>& surfaces, const Image<float>& reference);
 
 }  // namespace umbra

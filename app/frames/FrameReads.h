@@ -1,4 +1,4 @@
-// What the pixels of a headless frame read.
+// The reads of the pixels of a headless frame.
 #pragma once
 
 #include "analysis/frame/DrawnFrame.h"
@@ -6,11 +6,12 @@
 
 namespace umbra {
 
-// The last frame, drawn with `settings`. Refers to the frame's depth maps: it is valid until the
-// frame is rendered with others.
+// The last frame, which was drawn with `settings`. It refers to the frame's depth maps, so that it
+// is valid only until the frame is rendered with other settings.
 DrawnFrame drawnFrame(HeadlessFrame& frame, const FrameSettings& settings);
 
-// The read of the last frame at `surface`, in the session's format, without techniques; as valid.
+// The read of the last frame at `surface`, in the session's format, without techniques. It is valid
+// as long.
 ProbeRequest requestAt(HeadlessFrame& frame, const FrameSettings& settings,
                        const SurfacePoint& surface);
 

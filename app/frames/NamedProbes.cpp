@@ -18,7 +18,7 @@ SheetRow sheetRowOf(const NamedResult& result) {
   return row;
 }
 
-// All have the same.
+// All results have the same techniques.
 std::vector<std::string> techniquesOf(const std::vector<NamedResult>& results) {
   std::vector<std::string> ids;
   for (const NamedResult& result : results) {

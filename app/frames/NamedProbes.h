@@ -1,4 +1,4 @@
-// Kept probes on the command line: chosen by name, written as one table.
+// Saved probes on the command line: they are chosen by name and written as one table.
 #pragma once
 
 #include <optional>
@@ -15,12 +15,13 @@ namespace umbra {
 struct NamedResult {
   NamedProbe kept;
   std::optional<Probe> probe;
-  Json json;                    // as of a single probe; null without one
-  std::string reason;           // why there is none
-  std::optional<double> truth;  // that errors are against, if it is not the probe's own reference
+  Json json;           // the JSON of a single probe; null without one
+  std::string reason;  // why there is no probe
+  std::optional<double>
+      truth;  // the reference that errors are against, where it is not the probe's own
 };
 
-// The kept probe of that name, or every one for "all". Throws BadCommandLine that names the ones
+// The saved probe of that name, or every one for "all". Throws BadCommandLine that names the probes
 // that there are.
 std::vector<NamedProbe> chosenProbes(const Session& session, const std::string& name);
 
@@ -28,10 +29,10 @@ std::vector<NamedProbe> chosenProbes(const Session& session, const std::string& 
 // "reason" in place of the fields where a probe cannot be read.
 Json namedToJson(const Json& source, const std::vector<NamedResult>& results);
 
-// A line for each probe: its truth, and each technique's visibility.
+// A line for each probe: its reference, and each technique's visibility.
 std::string namedText(const std::vector<NamedResult>& results);
 
-// probes.json and probes.csv.
+// Writes probes.json and probes.csv.
 void writeNamed(OutputFolder& folder, const Json& object, const std::vector<NamedResult>& results);
 
 }  // namespace umbra

@@ -10,7 +10,7 @@
 namespace umbra {
 namespace {
 
-// Taps that are looked up for a picture, at most: some ten seconds on one core.
+// The most taps that are looked up for a picture: some ten seconds on one core.
 constexpr double mostTaps = 1e9;
 
 }  // namespace
@@ -28,7 +28,7 @@ RayTracedReference rayTracedReference(HeadlessFrame& frame, const Scene& scene,
   const auto receives = [&](int x, int y) { return receivesShadow(surfaces.pixel(x, y)); };
   const int cascades = int(drawn.cascades.size());
   const int side = RayTracedVisibility::sideFor(drawn.maps.front()->width(), cascades);
-  // A penumbra has many texels: four places to a side of each leave an error far below a filter's.
+  // A penumbra has many texels: 4 × 4 rays in each leave an error far below a filter's.
   const RayTracedVisibility rays = lightRays(frame, scene, settings, std::min(side, 4));
   const int stride = strideFor(tapsOf(drawn, receives), mostTaps);
   RayTracedReference result{

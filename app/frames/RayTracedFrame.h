@@ -1,4 +1,4 @@
-// The ray-traced truth of a rendered frame.
+// The ray-traced reference of a rendered frame.
 #pragma once
 
 #include "analysis/probe/Probe.h"
@@ -7,7 +7,7 @@
 
 namespace umbra {
 
-// Ray-traced visibility of a frame's pixels. Of a frame that reads very many taps only every
+// The ray-traced reference of a frame's pixels. In a frame that reads very many taps, only every
 // `stride`-th pixel of every `stride`-th row has one.
 struct RayTracedReference {
   static constexpr float absent = -1.0f;
@@ -16,15 +16,15 @@ struct RayTracedReference {
   int stride = 1;
 };
 
-// The rays through a map of the last frame, n of every texel's side.
+// The rays through the maps of the last frame, `side` × `side` in every texel.
 RayTracedVisibility lightRays(HeadlessFrame& frame, const Scene& scene,
                               const FrameSettings& settings, int side);
 
-// Of every pixel of the last frame, on every core; can be interrupted.
+// The reference of every pixel of the last frame, computed on every core; can be interrupted.
 RayTracedReference rayTracedReference(HeadlessFrame& frame, const Scene& scene,
                                       const FrameSettings& settings);
 
-// Of one probe of the last frame.
+// The ray-traced reference of one probe of the last frame.
 double rayTracedVisibility(HeadlessFrame& frame, const Scene& scene, const FrameSettings& settings,
                            const Probe& probe);
 

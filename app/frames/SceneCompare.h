@@ -7,9 +7,9 @@
 
 namespace umbra {
 
-// Of the frame as it was last rendered with `technique`, over every pixel that receives shadow.
-// Renders it again without light-bleeding reduction where the technique has one set.
-// Against `rays` where given, and then over the pixels that have one.
+// Compares over every pixel that receives shadow in the frame that was last rendered, with
+// `technique`. Renders it again without light-bleeding reduction where the technique has one set.
+// Where `rays` is given, it is the reference, and only pixels that have one count.
 MetricsRow compareFrame(HeadlessFrame& frame, const Technique& technique,
                         const RayTracedReference* rays = nullptr);
 

@@ -39,12 +39,12 @@ SurfacePoint surfaceOf(HeadlessFrame& frame, const Session& session, Pixel pixel
   return *surface;
 }
 
-// As each technique's frame shows it: the same but for the visibility.
+// A surface as the frames of all techniques show it; only the visibilities differ.
 struct SeenSurface {
   Pixel pixel;
-  std::vector<SurfacePoint> surfaces;  // of one that is computed only the first
+  std::vector<SurfacePoint> surfaces;  // one for each technique, or a single one where `computed`
   bool hidden = false;                 // from the camera
-  bool computed = false;               // for the point, not as a pixel shows it
+  bool computed = false;  // whether the read was computed for the point, and not taken from a pixel
 };
 
 SceneProbe takeSceneProbe(HeadlessFrame& frame, const Session& session,

@@ -14,45 +14,45 @@ namespace umbra {
 
 struct SceneProbe {
   Probe probe;
-  Pixel pixel;  // where the surface is in sight
+  Pixel pixel;  // valid where the surface is in sight
   SurfacePoint surface;
-  bool hidden = false;  // from the camera: what the GPU makes of it is not known
+  bool hidden = false;  // whether the camera does not see it: the GPU then has no result for it
 };
 
-// Takes the region that the shaded frame reads at `pixel` apart, in the session's format, and
-// renders every technique for what the GPU makes of it. Throws BadCommandLine for a pixel outside
-// the frame, without a surface or outside the light's frame.
+// Takes the region apart that the shaded frame reads at `pixel`, in the session's format, and
+// renders every technique for the GPU's own result. Throws BadCommandLine for a pixel outside the
+// frame, without a surface or outside the light's frame.
 SceneProbe probeScene(HeadlessFrame& frame, const Session& session,
                       const std::vector<std::shared_ptr<Technique>>& techniques, Pixel pixel);
 
-// A kept probe of a scene, or why it cannot be read: one sentence.
+// A saved probe of a scene, or one sentence that says why it cannot be read.
 struct KeptSceneProbe {
   std::optional<SceneProbe> probe;
   std::string reason;
 };
 
-// The same of points: what the shaded frame reads in the pixel whose middle shows the point; else
-// what it would read, were the point such a middle and nothing in front. `receiver` takes the place
-// of each probe's own.
+// Does the same for points. Where a pixel's middle shows the point, the probe has the read of that
+// pixel; elsewhere it has the read that such a pixel would have with nothing in front of the point.
+// `receiver` replaces each probe's own.
 std::vector<KeptSceneProbe> probeKept(HeadlessFrame& frame, const Scene& scene,
                                       const Session& session,
                                       const std::vector<std::shared_ptr<Technique>>& techniques,
                                       const std::vector<NamedProbe>& kept,
                                       const std::optional<double>& receiver);
 
-// The technique of which the worst pixel is shown: VSM, which bleeds, where it is among `chosen`;
-// else the first that is an upper bound, else the first.
+// The technique whose worst pixel is shown: VSM, which bleeds, where it is among `chosen`; else the
+// first one that is an upper bound, else the first.
 std::shared_ptr<Technique> suspectOf(const std::vector<std::shared_ptr<Technique>>& chosen);
 
-// Where `technique` bleeds most plainly; in a picture that bleeds nowhere visibly, the pixel that
-// receives shadow and is farthest above the reference.
-// Throws WorkFailed where no pixel of the frame is lit by the light's map.
+// The pixel where `technique` bleeds most plainly. In a picture without a plainly bleeding spot, it
+// is the pixel that receives shadow and is farthest above the reference. Throws WorkFailed where
+// the light's map lights no pixel of the frame.
 Pixel worstBleeding(HeadlessFrame& frame, const Technique& technique);
 
-// The fields of probeToJson with "pixel", "world" and "uv", which is on the map of "cascade";
-// "nextCascade" is the next one's weight, in a seam only. "filter" is the frame's, "footprint" in
-// texels, for filters that have one. "hidden" is there in place of "pixel" where it is true. `map`
-// is of any cascade: all are as large.
+// The fields of probeToJson with "pixel", "world" and "uv", which is on the map of "cascade".
+// "nextCascade" is the weight of the next one, in a seam only. "filter" is the frame's;
+// "footprint", in texels, is there for filters that have one. "hidden" replaces "pixel" where it is
+// true. `map` may be any cascade's: all have one size.
 Json sceneProbeToJson(const SceneProbe& probe, const DepthMap& map, const std::string& name,
                       ReadFilter filter, int bins, int samples);
 

@@ -11,23 +11,24 @@
 
 namespace umbra {
 
-// What `compare --surfaces` asks for.
+// The options of `compare --surfaces`.
 struct SurfaceOptions {
-  std::string extension = "vtp";  // of the files, without a dot: vtp or ply
+  std::string extension = "vtp";  // the files' extension without a dot: vtp or ply
   SurfaceMeshSettings mesh;
 };
 
-// Throw BadCommandLine for another format, or an edge out of range.
+// These throw BadCommandLine for another format, or an edge out of range.
 std::string surfaceFormatFrom(const std::string& name, std::string_view where);
 double surfaceEdgeFrom(const std::string& text, std::string_view where);
 
-// Of one scene, whose surfaces are divided once for all techniques.
+// Measures techniques on the surfaces of one scene, which are divided once for all techniques.
 class SurfaceCompare {
  public:
   SurfaceCompare(std::shared_ptr<const Scene> scene, const FrameSettings& settings,
                  const SurfaceOptions& options);
 
-  // On the map of the frame as it was last rendered. Works on every core; can be interrupted.
+  // Errors with the map of the frame that was last rendered. Works on every core; can be
+  // interrupted.
   SurfaceErrors errors(HeadlessFrame& frame, const Technique& technique);
   // "bleeding-vsm.vtp"
   std::string fileName(const Technique& technique) const;

@@ -8,7 +8,7 @@
 namespace umbra {
 namespace {
 
-// The reason as an error of the option that set what cannot be.
+// Throws the reason as an error of the option that set what the technique cannot have.
 [[noreturn]] void refuse(const FrameSettings& frame, const Technique& technique,
                          const std::string& reason) {
   const bool format = !technique.refusal(frame.map.format).empty();
@@ -24,7 +24,7 @@ std::vector<std::shared_ptr<Technique>> makeTechniques(const Session& session,
                                                        const TechniqueChoice& choice) {
   std::vector<std::shared_ptr<Technique>> techniques;
   std::vector<std::string> leftOut;
-  std::shared_ptr<Technique> last;  // that was left out
+  std::shared_ptr<Technique> last;  // the last technique that was left out
   for (const std::string& id : choice.ids) {
     std::vector<std::string> notices;
     std::shared_ptr<Technique> technique = techniqueOf(session, catalogue, id, &notices);

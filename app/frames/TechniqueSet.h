@@ -1,4 +1,4 @@
-// The techniques that a command works on, with the session's parameters.
+// The techniques that a command works with, with the session's parameters.
 #pragma once
 
 #include <memory>
@@ -10,14 +10,14 @@
 
 namespace umbra {
 
-// One technique per id; says in the log what the storage format limited. One that the session's
-// format, kernel or read cannot be composed with is left out of all of them, with a line in the log
-// that says why; where it was named, or none is left, it is an error (BadCommandLine).
+// Makes one technique for each id; the log says what the storage format limited. A technique that
+// cannot be composed with the session's format, kernel or read is left out, and a line in the log
+// says why. Where it was named, or none is left, that is an error (BadCommandLine).
 std::vector<std::shared_ptr<Technique>> makeTechniques(const Session& session,
                                                        const TechniqueCatalogue& catalogue,
                                                        const TechniqueChoice& choice);
 
-// Throws BadCommandLine unless the format is one that textures on the GPU take.
+// Throws BadCommandLine unless textures on the GPU can have the format.
 void checkGpuFormat(const Session& session);
 
 }  // namespace umbra
