@@ -1,5 +1,5 @@
-// Pictures as they were when they were right. Drawn by Mesa's llvmpipe at 256²; remake one with
-// `umbrascope render --size 256x256` and the options below after looking at it.
+// Pictures from a time when they were right, drawn by Mesa's llvmpipe at 256². To remake one, look
+// at the new picture first, then run `umbrascope render --size 256x256` with the options below.
 #include <gtest/gtest.h>
 
 #include <QImage>
@@ -15,14 +15,14 @@
 namespace umbra::cli {
 namespace {
 
-// By option, each with its value.
+// Options with their values.
 using Frame = std::map<std::string, std::string>;
 
 struct Baseline {
   std::string name;
   Frame frame;
-  std::string otherTechnique;  // that draws another picture
-  Frame nudged;                // light and camera, each number one float further
+  std::string otherTechnique;  // a technique that draws another picture
+  Frame nudged;                // options for light and camera, each number one float further
 };
 
 QImage drawn(const Frame& frame) {
@@ -44,10 +44,11 @@ class Picture : public testing::TestWithParam<Baseline> {
     baseline_ = readPicture(file);
     ASSERT_EQ(baseline_.size(), QSize(256, 256)) << file;
   }
-  // Of the baseline from what is drawn with these options instead.
+  // The difference between the baseline and what is drawn with these options instead.
   Difference differenceWith(const Frame& options) const {
     Frame frame = options;
-    frame.insert(GetParam().frame.begin(), GetParam().frame.end());  // keeps what is there
+    frame.insert(GetParam().frame.begin(),
+                 GetParam().frame.end());  // does not replace options that are there
     const QImage other = drawn(frame);
     if (other.size() != baseline_.size()) throw std::runtime_error("there is no picture");
     return differenceOf(baseline_, other);
@@ -61,13 +62,13 @@ TEST_P(Picture, LooksAsItDid) {
   EXPECT_TRUE(difference.within(1.0)) << difference;
 }
 
-// What rounding alone may do stays within the bound.
+// Differences by rounding alone stay within the bound.
 TEST_P(Picture, HangsOnNoLastBit) {
   const Difference difference = differenceWith(GetParam().nudged);
   EXPECT_TRUE(difference.within(1.0)) << difference;
 }
 
-// A comparison that takes one technique or radius for another says nothing.
+// A comparison that takes one technique or radius for another would prove nothing.
 TEST_P(Picture, IsToldFromOthers) {
   for (const auto& [option, value] : {std::pair<std::string, std::string>{"--radius", "2"},
                                       {"--radius", "4"},
@@ -77,7 +78,7 @@ TEST_P(Picture, IsToldFromOthers) {
   }
 }
 
-// The scenes' own light and camera, but for the planes' light.
+// These are the scenes' own lights and cameras, except the light of the planes.
 const Frame nudgedTree{{"--light", "directional:-2.6000002,7.6000005,-4.2000005:-0.1,0.5,0"},
                        {"--camera", "1.7000001,2.3000002,5.2000005:-0.2,1.15,-0.3:36"}};
 const std::string aslant = "directional:0.7,9,0.5";

@@ -63,7 +63,7 @@ TEST(Help, VersionAndHelpGoToStandardOutput) {
   }
 }
 
-// The names of all shared libraries that the dynamic linker looked for.
+// The names of all shared libraries that the dynamic linker searched for.
 std::string librariesOf(const Arguments& arguments) {
   const Outcome outcome = run(arguments, {.environment = {{"LD_DEBUG", "files"}}});
   EXPECT_EQ(outcome.status, 0);

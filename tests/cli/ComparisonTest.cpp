@@ -13,7 +13,7 @@ namespace {
 
 constexpr int width = 160, height = 120;
 
-// A session in a file, rendered with these options.
+// Saves a session in a file and renders it with these options.
 QImage drawn(const std::string& compare, const Arguments& options = {}) {
   const TemporaryFolder folder;
   std::ofstream(folder.file("s.json"))
@@ -48,7 +48,7 @@ TEST(ComparedPicture, ASideIsDrawnWithItsOwnSettings) {
   const QRect left(0, 0, width / 2, height), right(width / 2, 0, width / 2, height);
   ASSERT_EQ(narrow.size(), QSize(width, height));
   EXPECT_NE(narrow.copy(right), wide.copy(right));
-  // Whichever of them is the active one.
+  // The result does not depend on which pane is active.
   for (const char* active : {"", R"(, "active": true)"}) {
     const QImage both = drawn(R"({"mode": "wipe", "panes": [{"technique": "vsm"},
         {"technique": "vsm", "kernel": {"radius": 9}, "mapSize": 128)" +
@@ -92,8 +92,8 @@ TEST(ComparedPicture, OfPanesLayersAreTheActiveOnesWhichIsSaid) {
     EXPECT_EQ(said(more).find("an EXR has"), std::string::npos);
 }
 
-// A pane's parameters are those of its technique: as in the window, another one there leaves the
-// first as the other panes share it.
+// A pane's parameters belong to its technique. As in the window, another technique in the pane
+// leaves the parameters of the first one as the other panes share them.
 TEST(ComparedProbe, AnotherTechniqueLeavesWhatThePanesShareOfTheFirst) {
   const TemporaryFolder folder;
   writeMap(folder.file("m.exr"), smallMap());

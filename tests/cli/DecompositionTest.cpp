@@ -29,7 +29,7 @@ TEST(Decomposition, PartsAddUpToTheMeanError) {
       ASSERT_TRUE(found.contains(part)) << part;
       sum += found[part].get<double>();
     }
-    // Means of 20 000 doubles of magnitude up to 1, added in two orders.
+    // The means are of 20 000 doubles of magnitude up to 1, added in two orders.
     EXPECT_NEAR(sum, found["error"], 1e-12) << row["name"];
     EXPECT_NEAR(found["error"], row["bleeding"].get<double>() - row["darkening"].get<double>(),
                 1e-12)
@@ -41,7 +41,7 @@ TEST(Decomposition, PartsAddUpToTheMeanError) {
   }
 }
 
-// Lauritzen 2008, fig. 3.4: what bleeds comes from A, far above B and C.
+// Lauritzen 2008, fig. 3.4: the bleeding comes from A, far above B and C.
 TEST(Decomposition, OccludersFarApartBleed) {
   const Json rows = decompose("vsm,pcf");
   const Json &vsm = rows[0]["decomposition"], &pcf = rows[1]["decomposition"];
@@ -54,7 +54,7 @@ TEST(Decomposition, OccludersFarApartBleed) {
 TEST(Decomposition, ReductionAndPrecisionAreToldApart) {
   const Json reduced = decompose("vsm", {"--set", "vsm.bleed-reduction=0.3"})[0]["decomposition"];
   EXPECT_LT(reduced["reduction"], -0.005);
-  EXPECT_GT(reduced["bleeding"], 0.005);  // that there is to be reduced
+  EXPECT_GT(reduced["bleeding"], 0.005);  // otherwise there is nothing to reduce
   const auto precision = [](const char* format) {
     return std::abs(
         decompose("vsm", {"--format", format})[0]["decomposition"]["precision"].get<double>());
@@ -68,7 +68,7 @@ TEST(Decomposition, OtherReadsAreTakenApartAsWell) {
     const Json& found = row["decomposition"];
     EXPECT_NEAR(found["error"], row["bleeding"].get<double>() - row["darkening"].get<double>(),
                 1e-12);
-    // Floats store these depths well: a read that were not the frame's own would show here.
+    // Floats store these depths well: a read that is not the frame's own would show here.
     EXPECT_LT(std::abs(found["precision"].get<double>()), 0.01 * found["bleeding"].get<double>())
         << more[0];
   }

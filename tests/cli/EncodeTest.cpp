@@ -29,7 +29,7 @@ class Encode : public testing::Test {
     EXPECT_EQ(folder.names(), (std::vector<std::string>{"c.exr", "m.exr"}));
   }
 
-  // As the program wrote it, scaled by nothing: moments lie in [0,1].
+  // The values are as the program wrote them, without scaling: moments lie in [0,1].
   DepthMap channel(const std::string& name) const { return readDepthFile(out, name); }
 
   const Image<float> depths = smallMap();

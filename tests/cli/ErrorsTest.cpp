@@ -1,4 +1,4 @@
-// Everything that a person can get wrong: the exit status, and one line that says what is right.
+// Every error that a person can make: it has its exit status, and one line that says what is right.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -19,7 +19,7 @@ class Errors : public testing::Test {
   Errors() { writeMap(map, smallMap()); }
 
   // Runs and expects failure with `status`, nothing on standard output, and one line on standard
-  // error that holds `text`.
+  // error that contains `text`.
   void expectError(int status, const std::string& text, const Arguments& arguments,
                    const Setting& setting = {}) const {
     const Outcome outcome = run(arguments, setting);
@@ -32,7 +32,7 @@ class Errors : public testing::Test {
     EXPECT_NE(outcome.err.find(text), std::string::npos) << line << "\n" << outcome.err;
   }
 
-  // A sound probe with `more` behind it.
+  // A valid probe with `more` behind it.
   Arguments probe(const Arguments& more) const {
     Arguments arguments{"probe", "--json", "--depth", map, "--texel", "8,9", "--receiver", "0.7"};
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -96,7 +96,7 @@ TEST_F(Errors, ValuesOfReadsAndMaps) {
   expectError(2, "--sat-distance", probe({"--sat-distance", "-1"}));
 }
 
-// What cannot be composed says why, before anything is drawn.
+// A combination that cannot be composed is refused with its reason, before anything is drawn.
 TEST_F(Errors, CombinationsThatCannotBe) {
   const auto render = [&](const Arguments& more) {
     Arguments arguments{"render", "--scene",  "two-planes",        "--filter",
@@ -115,7 +115,7 @@ TEST_F(Errors, CombinationsThatCannotBe) {
   EXPECT_EQ(folder.names(), std::vector<std::string>{"m.exr"});
 }
 
-// A texel of a depth file is read as it is, whatever reads of a frame are set.
+// A texel of a depth file is read as it is, whatever the settings of a frame's reads are.
 TEST_F(Errors, ADepthFileIsProbedAtItsTexelWhateverAFrameReads) {
   const Outcome plain = run(probe({"--technique", "all"}));
   ASSERT_EQ(plain.status, 0) << plain.err;
@@ -208,7 +208,7 @@ TEST_F(Errors, ScenesAndSessionsThatAreNone) {
 }
 
 TEST_F(Errors, OutputsThatCannotBeWritten) {
-  // A file where a folder ought to be: nobody can write there, not even root.
+  // There is a file where a folder should be: nobody can write there, not even root.
   const std::string below = map + "/out";
   expectError(4, "m.exr",
               {"probe", "--depth", map, "--texel", "8,9", "--receiver", "0.7", "-o", below});
@@ -223,7 +223,7 @@ TEST_F(Errors, OutputsThatCannotBeWritten) {
 
 TEST_F(Errors, AFolderWithoutPermissionIsNamed) {
   if (geteuid() == 0) {
-    // Root may write anywhere but into the kernel's own files.
+    // Root may write everywhere except into the kernel's own files.
     expectError(4, "/proc", {"encode", "--depth", map, "-o", "/proc/umbrascope/c.exr"});
   } else {
     std::filesystem::create_directory(folder.file("locked"));
@@ -247,7 +247,7 @@ TEST_F(Errors, AWindowWithoutADisplay) {
   expectError(5, "umbrascope render", {"three-planes"});
   expectError(5, "umbrascope render", {map});
   expectError(3, "none.exr", {folder.file("none.exr")});
-  // Displays are numbered to 65535 − 6000 at most: no server can be there.
+  // Displays are numbered at most to 65535 − 6000: no server can be there.
   expectError(5, ":98765, where no X server answers", {"three-planes"},
               {.environment = {{"DISPLAY", ":98765"}}});
 }

@@ -1,4 +1,4 @@
-// Lessons on the command line: what they claim is measured, what they export stands alone.
+// Lessons on the command line: their claims are measured, and exported lessons stand alone.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -17,7 +17,7 @@ std::vector<std::string> lessonNames() {
 
 class LessonClaims : public testing::TestWithParam<std::string> {};
 
-// Every step is loaded, rendered and probed for it.
+// This loads, renders and probes every step.
 TEST_P(LessonClaims, HoldWhenTheyAreComputed) {
   const Outcome outcome = run({"lesson", "check", GetParam(), "--json"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
@@ -75,7 +75,7 @@ TEST(Lesson, ExportStandsAlone) {
   EXPECT_EQ(countOf(page, "<details>"), 2u);
   EXPECT_EQ(countOf(page, "<details>"), countOf(page, "</details>"));
   EXPECT_NE(page.find("v = ¼Δx² / (½Δx² + ΔxΔy + Δy²)"), std::string::npos);
-  // Nothing is fetched from anywhere.
+  // Nothing is fetched from elsewhere.
   for (const char* attribute : {"src=\"http", "href=\"http", "url(http", "<script", "<link"})
     EXPECT_EQ(countOf(page, attribute), 0u) << attribute;
 }

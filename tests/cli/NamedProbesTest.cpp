@@ -1,4 +1,4 @@
-// Probes that a session keeps, read by their names.
+// Probes that a session saves, read by their names.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ const Arguments techniques{"--technique", "pcf,vsm,esm"};
 
 class NamedProbes : public testing::Test {
  protected:
-  // As a session file holds it.
+  // A probe as a session file holds it.
   Json session(const std::string& scene, const Json& probes) const {
     return {{"format", "umbrascope-session/1"},
             {"source", {{"scene", scene}}},
@@ -48,8 +48,8 @@ class NamedProbes : public testing::Test {
   TemporaryFolder folder;
 };
 
-// In the middle of its pixel a kept point is read as the pixel is: to the last digit what --pixel
-// says of that one.
+// Where a saved point lies in the middle of its pixel, its probe equals that of the pixel, to the
+// last digit of what --pixel says.
 TEST_F(NamedProbes, InSightAProbeIsThatOfItsPixel) {
   for (const char* filter : {"bilinear", "anisotropic", "sat"}) {
     const Arguments read{"--filter", filter, "--cascades", "2"};
@@ -65,7 +65,8 @@ TEST_F(NamedProbes, InSightAProbeIsThatOfItsPixel) {
   }
 }
 
-// Beside its pixel's middle a point is read by sums done here and not on the GPU: nearly the same.
+// Beside its pixel's middle a point is read by a calculation on the CPU, which nearly agrees with
+// the GPU's.
 TEST_F(NamedProbes, BesideThePixelsMiddleTheReadIsComputedAsTheGpuDoesIt) {
   for (const char* filter : {"trilinear", "anisotropic", "sat"}) {
     Json json = session("two-planes", Json::array());
@@ -84,8 +85,9 @@ TEST_F(NamedProbes, BesideThePixelsMiddleTheReadIsComputedAsTheGpuDoesIt) {
     EXPECT_EQ(computed["pixel"], seen["pixel"]);
     EXPECT_EQ(computed["cascade"], seen["cascade"]);
     for (const Json& row : computed["techniques"]) EXPECT_FALSE(row.contains("gpu"));
-    // The GPU's difference is taken up to a pixel away. A pixel's length on the ground goes by the
-    // square of the distance over the camera's height: two angles of a pixel over the slope.
+    // The GPU takes its difference up to a pixel away. A pixel's length on the ground is
+    // proportional to the squared distance over the camera's height, so that it changes by two
+    // angles of a pixel over the slope.
     const double change = 2.0 * angle * std::hypot(dx, dz) / dy;
     for (const char* side : {"x", "y"}) {
       const double gpu = seen["footprint"][side], ours = computed["footprint"][side];
@@ -97,14 +99,14 @@ TEST_F(NamedProbes, BesideThePixelsMiddleTheReadIsComputedAsTheGpuDoesIt) {
   }
 }
 
-// What a point or bilinear read of the only map averages does not depend on the camera.
+// The texels that a point or bilinear read of a single map averages do not depend on the camera.
 TEST_F(NamedProbes, OutOfSightAProbeIsReadAllTheSame) {
   const Json seen = probed(session("two-planes", Json::array()), {"--pixel", "worst"});
   Json hidden = session("two-planes", {{{"name", "Spot"}, {"point", seen["world"]}}});
   const auto withCamera = [&](double x, double y, double z) {
     const Json world = seen["world"];
     const auto at = [&](int i) { return world[i].get<double>(); };
-    // Looks away from the point.
+    // The camera looks away from the point.
     hidden["camera"] = {{"position", {at(0) + x, at(1) + y, at(2) + z}},
                         {"target", {at(0) + 2 * x, at(1) + 2 * y, at(2) + 2 * z}}};
     return probed(hidden, {"--named", "Spot"});
@@ -121,12 +123,12 @@ TEST_F(NamedProbes, OutOfSightAProbeIsReadAllTheSame) {
   EXPECT_NEAR(left["receiver"].get<double>(), seen["receiver"].get<double>(),
               1000.0 * std::ldexp(1.0, -24));
 
-  // A wider read has the pixel's size, which nobody knows.
+  // A wider read has the pixel's size, which is unknown here.
   expectError(2, "--named: Spot: not in sight",
               probe(hidden, {"--named", "Spot", "--filter", "trilinear"}));
 }
 
-// One truth throughout: what the errors are against is what the table calls the truth.
+// Errors are against the value that the table calls the truth.
 TEST_F(NamedProbes, RaysAreTheTableTruthWhereTheyAreAskedFor) {
   const Json spot = probed(session("two-planes", Json::array()), {"--pixel", "worst"});
   const Json json = session("two-planes", {{{"name", "Spot"}, {"point", spot["world"]}}});
@@ -162,7 +164,8 @@ TEST_F(NamedProbes, AllOfThemAreOneTable) {
   for (const char* key : {"format", "source"}) first.erase(key);
   EXPECT_EQ(table["probes"][0], first);
   EXPECT_EQ(table["probes"][1]["receiver"], 0.875);
-  EXPECT_FALSE(table["probes"][1]["techniques"][0].contains("gpu"));  // not what the frame shows
+  EXPECT_FALSE(
+      table["probes"][1]["techniques"][0].contains("gpu"));  // the frame does not show the point
   EXPECT_EQ(table["probes"][2],
             (Json{{"name", "Nowhere"}, {"reason", "no surface of the scene is there"}}));
 
@@ -219,7 +222,7 @@ TEST_F(NamedProbes, TheSameSceneOrFileNamedAgainKeepsThem) {
 TEST_F(NamedProbes, TheOneThatTheSessionIsAtNeedsNoName) {
   const Json spot = probed(session("two-planes", Json::array()), {"--pixel", "worst"});
   Json json = session("two-planes", {{{"name", "Spot"}, {"point", spot["world"]}}});
-  json["probe"] = {0, 0};  // of a picture from where the point was hidden
+  json["probe"] = {0, 0};  // a pixel of a picture that did not show the point
   json["keptProbe"] = "Spot";
   EXPECT_EQ(probed(json, {}), spot);
 }
@@ -232,7 +235,7 @@ TEST_F(NamedProbes, NamesThatThereAreNotAreRefused) {
   expectError(2, "--pixel: excludes --named", probe(json, {"--named", "Spot", "--pixel", "1,1"}));
   expectError(2, "--named: the session keeps no probes",
               probe(session("two-planes", Json::array()), {"--named", "all"}));
-  // Another scene has other places.
+  // Another scene has other surfaces.
   expectError(2, "--named: the session keeps no probes",
               probe(json, {"--scene", "three-planes", "--named", "all"}));
 }

@@ -1,4 +1,4 @@
-// The picture of every technique's page is what the command below it draws.
+// The picture on every technique's page equals the output of the command below it.
 #include <gtest/gtest.h>
 
 #include <QImage>

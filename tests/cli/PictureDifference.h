@@ -1,4 +1,4 @@
-// How far two pictures of the same frame may be apart.
+// How far two pictures of the same frame may differ.
 #pragma once
 
 #include <QImage>
@@ -17,8 +17,8 @@ namespace umbra::cli {
 // light's rays, and a last bit decides whether 1 % of the picture faces the light.
 inline constexpr double largestMean = 1e-4, largestShare = 1e-3;
 
-// Of two pictures, by the largest difference of a pixel's channels in [0,1]: its mean, and the
-// share of pixels where it is above 0.1.
+// The difference of two pictures, by the largest difference of a pixel's channels in [0,1]: its
+// mean, and the share of pixels where it is above 0.1.
 struct Difference {
   double mean = 0.0, share = 0.0;
 

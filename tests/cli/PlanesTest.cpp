@@ -1,4 +1,4 @@
-// The analytic scenes as they are rendered, against their closed forms.
+// Renders the analytic scenes and compares them with their closed forms.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,8 +13,8 @@ namespace {
 
 constexpr double minVariance = 1e-6;  // the default of vsm
 
-// The share of the region in each plane's bin, of 2000 over [min, max], which are the depths of two
-// planes.
+// The share of the region in each plane's bin, among 2000 bins over [min, max], which are the
+// depths of the two planes.
 PlaneShares sharesOf(const Json& probe, const std::vector<double>& depths) {
   PlaneShares planes{depths, std::vector<double>(depths.size(), 0.0)};
   const Json &edges = probe["histogram"]["edges"], &weights = probe["histogram"]["weights"];
@@ -56,7 +56,7 @@ void expectTheClosedForm(const Json& probe, const PlaneShares& planes) {
   const Json& vsm = probe["techniques"][0];
   EXPECT_NEAR(vsm["visibility"], predicted, tolerance);
   EXPECT_NEAR(vsm["gpu"], predicted, tolerance);
-  EXPECT_LT(tolerance, 1e-2);  // else the above says little
+  EXPECT_LT(tolerance, 1e-2);  // otherwise the above says little
 }
 
 TEST(Planes, ThreePlanesBleedAsPredicted) {
@@ -79,7 +79,7 @@ TEST(Planes, TwoPlanesAreExactAcrossTheEdge) {
     const Outcome outcome =
         run({"probe", "--json", "--scene", "two-planes", "--pixel", std::to_string(x) + ",150",
              "--technique", "vsm", "--size", "320x240", "--map-size", "256", "--bins", "2000"});
-    if (outcome.status != 0) {  // a part of the ground that the light does not see
+    if (outcome.status != 0) {  // the light does not see this part of the ground
       ASSERT_NE(outcome.err.find("outside the shadow map"), std::string::npos) << outcome.err;
       continue;
     }
@@ -87,7 +87,8 @@ TEST(Planes, TwoPlanesAreExactAcrossTheEdge) {
     const PlaneShares planes = sharesOf(probe, depths);
     if (std::abs(planes.shares[0] + planes.shares[1] - 1.0) > 1e-9) continue;
     if (planes.shares[0] < 0.1 || planes.shares[1] < 0.1) continue;
-    if (probe["receiver"].get<double>() < depths[1] - 0.01) continue;  // on the occluder
+    if (probe["receiver"].get<double>() < depths[1] - 0.01)
+      continue;  // the pixel shows the occluder
     ++penumbrae;
     EXPECT_NEAR(probe["reference"], planes.shares[1], 1e-9);
     expectTheClosedForm(probe, planes);

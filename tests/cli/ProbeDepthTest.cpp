@@ -1,4 +1,4 @@
-// `probe --depth` against an evaluation written here, independent of the program's own.
+// `probe --depth` against an evaluation written here, which is independent of the program's own.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -117,7 +117,7 @@ TEST_F(ProbeDepth, TellsTheSmallestReductionAndWhatItCosts) {
       darkening = std::max(darkening, pcf(taps, z) - reduced);
     }
     EXPECT_NEAR(found["darkening"], darkening, 1e-9);
-    // The amount does what it says, whatever was set before.
+    // The amount works whatever was set before.
     const Json after =
         probe(x, y, receiver,
               {"--technique", "vsm", "--set", "vsm.bleed-reduction=" + found["amount"].dump()});
@@ -261,7 +261,7 @@ TEST_F(ProbeDepth, TheLaterOfTwoSettingsHolds) {
   };
   EXPECT_EQ(layering({"splits=0.2:0.5", "placement=lloyd"}), "3 lloyd 0");
   EXPECT_EQ(layering({"placement=lloyd", "splits=0.2:0.5"}), "3 manual 2");
-  // 4 is the default, which still takes the splits away.
+  // the default, 4, still removes the splits
   EXPECT_EQ(layering({"splits=0.2:0.5", "layers=4"}), "4 manual 0");
   EXPECT_EQ(layering({"layers=4", "splits=0.2:0.5"}), "3 manual 2");
   EXPECT_EQ(layering({"splits=0.2:0.5", "layers=7", "placement=uniform"}), "7 uniform 0");

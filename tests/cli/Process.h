@@ -21,14 +21,14 @@ struct Outcome {
 };
 
 struct Setting {
-  std::map<std::string, std::string> environment;  // beside the caller's, which has no display
-  std::string output;      // a file that takes standard output, "" to capture it
-  bool interrupt = false;  // send SIGINT as soon as the program catches it
+  std::map<std::string, std::string> environment;  // added to the caller's, which has no display
+  std::string output;                              // a file for standard output; "" captures it
+  bool interrupt = false;                          // send SIGINT as soon as the program catches it
 };
 
 Outcome run(const Arguments& arguments, const Setting& setting = {});
 
-// A folder of its own that is gone afterwards.
+// A temporary folder that is removed afterwards.
 class TemporaryFolder {
  public:
   TemporaryFolder();

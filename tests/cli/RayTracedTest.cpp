@@ -1,4 +1,4 @@
-// --reference raytraced: the truth that no shadow map limits.
+// --reference raytraced: the reference that no shadow map limits.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ TEST(RayTraced, PercentageCloserFilteringComesToItAsTheMapGrows) {
     const Json report = run(comparePcf(size, {"--reference", "raytraced"})).json();
     EXPECT_EQ(report["reference"], "raytraced");
     const double error = report["techniques"][0]["mae"];
-    // What it has for error is the map's alone, of the regions' edges: it goes with the texel.
+    // The error is the map's alone, at the edges of the regions: it is proportional to a texel.
     EXPECT_GT(error, 0.0);
     EXPECT_LT(error, last) << size;
     last = error;

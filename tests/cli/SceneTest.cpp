@@ -35,8 +35,8 @@ TEST(SceneProbe, TellsWhatTheGpuSawAndWhatTheRegionSays) {
     EXPECT_NEAR(row["visibility"].get<double>() - object["reference"].get<double>(), row["error"],
                 1e-12);
   }
-  // Lauritzen 2008, fig. 3.4: B hides C from the light, and VSM lights C all the same. A spot
-  // counts as bleeding from a mean error of 0.05 on, and the pixel is its worst.
+  // Lauritzen 2008, fig. 3.4: B hides C from the light, but VSM lights C. A spot counts as bleeding
+  // from a mean error of 0.05 on, and the pixel is the spot's worst.
   EXPECT_GT(object["techniques"][2]["error"], 0.05);
 }
 
@@ -85,7 +85,7 @@ TEST(SceneProbe, TheWorstPixelOfSeveralIsThatOfVsm) {
         .json()["pixel"];
   };
   const Json ofVsm = worst("vsm"), ofHard = worst("hard");
-  EXPECT_NE(ofHard, ofVsm);  // else the rest says nothing
+  EXPECT_NE(ofHard, ofVsm);  // otherwise the rest proves nothing
   EXPECT_EQ(worst("all"), ofVsm);
   EXPECT_EQ(worst("hard,vsm"), ofVsm);
   EXPECT_EQ(worst("hard,esm"), worst("esm"));
@@ -137,7 +137,7 @@ TEST(SceneCompare, TheSmallestReductionLeavesNoLightInTheUmbra) {
   EXPECT_NEAR(reduced[0]["umbraBleeding"], 0.0, rounding);
   EXPECT_NEAR(reduced[0]["darkening"], found["darkening"], rounding);
   EXPECT_NEAR(-reduced[0]["min"].get<double>(), found["maxDarkening"], rounding);
-  // Whatever is set, the bound without reduction is what is measured.
+  // The bound without reduction is measured, whatever reduction is set.
   EXPECT_EQ(reduced[0]["smallestReduction"], found);
 }
 
@@ -187,7 +187,8 @@ TEST(SceneEncode, NormalisedFormatsStoreEvenSteps) {
       EXPECT_NEAR(value * steps, std::round(value * steps), steps * std::ldexp(1.0, -23));
       seen.insert(value);
     }
-    EXPECT_GT(seen.size(), 2u) << format;  // the penumbra is filtered, not only two planes
+    EXPECT_GT(seen.size(), 2u)
+        << format;  // the penumbra is filtered, so that there are more values than two planes have
   }
 }
 
@@ -224,7 +225,7 @@ TEST(SceneReads, AllLeavesOutWhatATableOfSumsCannotServeAndSaysWhy) {
   }
 }
 
-// A driver may have fewer samples a texel than were asked for: then it is said, once.
+// Where a driver has fewer samples a texel than were asked for, the log says so once.
 TEST(SceneReads, FewerSamplesThanAskedForAreSaid) {
   const TemporaryFolder folder;
   const Outcome outcome = run(with({"render", "--scene", "two-planes", "--msaa", "8", "--technique",
@@ -232,7 +233,7 @@ TEST(SceneReads, FewerSamplesThanAskedForAreSaid) {
                                    small));
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   const std::size_t said = outcome.err.find("--msaa: ");
-  if (said == std::string::npos) return;  // it has eight
+  if (said == std::string::npos) return;  // the driver has eight
   EXPECT_NE(outcome.err.find("the driver has no 8", said), std::string::npos) << outcome.err;
   EXPECT_EQ(outcome.err.find("--msaa: ", said + 1), std::string::npos) << outcome.err;
 }

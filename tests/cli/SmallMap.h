@@ -1,4 +1,4 @@
-// A small depth map with everything in it: two planes, noise, a gap, an edge.
+// A small depth map with two planes, noise, a gap and an edge.
 #pragma once
 
 #include <cstdint>

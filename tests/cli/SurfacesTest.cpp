@@ -43,8 +43,8 @@ TEST(Surfaces, TheReceiverOfThreePlanesBleeds) {
   EXPECT_EQ(vsm["edge"], 4.0);
   const Json& c = vsm["objects"][2];
   ASSERT_EQ(c["name"], "C");
-  // C's upper side, of 4 × 4, and its edges, which the light only grazes; of it B, of 3 × 2.6, and
-  // what A adds beyond B's front edge lie in shadow.
+  // The area is that of C's upper side, 4 × 4, and of its edges, which the light only grazes. The
+  // part under B, 3 × 2.6, and a part that A adds beyond B's front edge lie in shadow.
   EXPECT_NEAR(c["area"], 16.0, 0.01);
   EXPECT_GT(c["shadowedArea"], 3.0 * 2.6 - 0.5);
   EXPECT_GT(c["bleedingArea"], 1.0);
@@ -83,8 +83,8 @@ TEST(Surfaces, AreasDoNotDependOnTheMesh) {
   };
   const Json fine = surfaces("1"), coarse = surfaces("3");
   EXPECT_GT(fine["faces"], 4 * coarse["faces"].get<std::size_t>());
-  // Off by at most the faces on the border of what is summed: C's of 16, and the ground's of the
-  // map's width of 4.1, each as wide as an edge of 3 · 4.1 / 128.
+  // The error is at most that of the faces on the border of what is summed: C's border of 16, and
+  // the ground's border of the map's width, 4.1; each face is as wide as an edge of 3 · 4.1 / 128.
   const double border = (16.0 + 4 * 4.1) * 3 * 4.1 / 128;
   EXPECT_NEAR(fine["area"], coarse["area"], border);
   EXPECT_NEAR(fine["shadowedArea"], coarse["shadowedArea"], border);

@@ -1,4 +1,4 @@
-// A frame of several cascades, and what its pixels were read from.
+// A frame of several cascades, and the reads of its pixels.
 #pragma once
 
 #include <algorithm>
@@ -21,19 +21,20 @@ class Cascaded : public FrameFixture {
     settings.map.cascades.count = 3;
   }
 
-  // One of a pixel's reads: of which map, where, and how much of the pixel it is.
+  // One of a pixel's reads: its map, its place, and its share of the pixel.
   struct Read {
     int cascade;
     double u, v, weight;
-    double shift;  // of u and v by the GPU's rounding
+    double shift;  // how far the GPU's rounding moves u and v
   };
   std::vector<Read> readsOf(const SurfacePoint& point) {
     const Cascade& own = renderer->cascades()[std::size_t(point.cascade)];
-    // Multiplied by the size of the map.
+    // The GPU multiplies them by the size of the map.
     const double shift = 4 * eps;
     std::vector<Read> reads{{point.cascade, point.u, point.v, 1 - point.nextCascade, shift}};
     if (point.nextCascade > 0.0) {
-      // Through the whole map, where windows and position are eight roundings of at most 1 each.
+      // The way leads through the whole map, where windows and position are eight roundings of at
+      // most 1 each.
       const Cascade& next = renderer->cascades()[std::size_t(point.cascade) + 1];
       reads.push_back({point.cascade + 1, next.u(own.left + own.side * point.u),
                        next.v(own.top + own.side * point.v), point.nextCascade,
@@ -42,7 +43,7 @@ class Cascaded : public FrameFixture {
     return reads;
   }
 
-  // What `evaluate(map, u, v)` gives over a pixel's reads, and how far rounding may move it.
+  // The mean of `evaluate(map, u, v)` over a pixel's reads, and how far rounding may move it.
   template <class Evaluate>
   std::pair<double, double> over(const SurfacePoint& point, const Evaluate& evaluate) {
     double value = 0.0, error = 0.0;

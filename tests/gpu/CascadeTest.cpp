@@ -1,5 +1,5 @@
-// Parallel-split cascades in the shaded frame: who is drawn from which map, and that shadows stay
-// what they were.
+// Parallel-split cascades in the shaded frame: which map each pixel is drawn from, and that shadows
+// do not change.
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
 
@@ -18,11 +18,11 @@ using Eigen::Vector3d;
 using test::Cascaded;
 using test::forwardOf;
 
-// Windows that all are the whole map: the same picture as one map makes.
+// Where all windows are the whole map, the picture equals that of one map.
 TEST_F(Cascaded, CascadesOfTheWholeMapChangeNothing) {
   settings.map.cascades.count = 1;
   const auto scene = test::slabAndBall();
-  scene->camera.position = {0, 25, 50};  // so far off that each part's sphere holds all
+  scene->camera.position = {0, 25, 50};  // so far away that each part's sphere holds everything
   show(scene, "vsm");
   const Image<float> one = renderer->surfaces();
   settings.map.cascades.splitLambda = 0.9;
@@ -92,7 +92,8 @@ TEST_F(Cascaded, EveryPixelIsDrawnFromTheCascadeOfItsDistance) {
         const Cascade& own = cascades[std::size_t(point->cascade)];
         const double distance =
             (point->world - scene->camera.position).dot(forwardOf(scene->camera));
-        // The world point comes back from the camera's depth buffer, the distance grows with it.
+        // The world point is computed from the camera's depth buffer, whose error grows with the
+        // distance.
         const double slack = 1e-3 * distance;
         EXPECT_LE(own.nearDistance, distance + slack);
         EXPECT_GE(own.farDistance, distance - slack);
@@ -215,7 +216,7 @@ TEST_F(Cascaded, EveryTechniqueStaysWithinItsBounds) {
       int shadowed = 0;
       for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-          ASSERT_GE(surfaces(x, y, 3), 0.0f) << x << "," << y;  // a NaN is not
+          ASSERT_GE(surfaces(x, y, 3), 0.0f) << x << "," << y;  // also fails for a NaN
           ASSERT_LE(surfaces(x, y, 3), 1.0f) << x << "," << y;
           shadowed += surfaces(x, y, 3) < 0.99f;
         }
@@ -225,8 +226,8 @@ TEST_F(Cascaded, EveryTechniqueStaysWithinItsBounds) {
   }
 }
 
-// What cascades are for: near the camera, shadows are nearer to those of a map as large as maps
-// get.
+// The purpose of cascades: near the camera, shadows are nearer to those of the largest map that
+// there is.
 TEST_F(Cascaded, SharpenWhatIsNear) {
   const auto scene = test::avenue();
   settings.kernel = {KernelShape::Box, 1};
@@ -262,7 +263,7 @@ TEST_F(Cascaded, RedoOnlyWhatChanged) {
   settings.view = ViewMode::Cascades;
   showAgain();
   EXPECT_EQ(passes(), "shade view");
-  settings.map.cascades.seam = 0.0;  // the later windows begin later
+  settings.map.cascades.seam = 0.0;  // without a seam the later windows begin later
   showAgain();
   EXPECT_EQ(passes(), "depth encode prefilter shade view");
 
@@ -301,7 +302,7 @@ TEST_F(Cascaded, TheViewTintsEachInItsColour) {
                                        double(cascadeColours[std::size_t(point->cascade) + 1][c]),
                                        point->nextCascade);
       }
-      // Eight bits a component, the largest of which is above a hundred.
+      // A component has eight bits; the largest one is above a hundred.
       ASSERT_LT((hue(colour, x, y) - expected.normalized()).norm(), 0.02) << x << "," << y;
       ++seen[point->cascade];
       mixed += point->nextCascade > 0.2 && point->nextCascade < 0.8;
@@ -322,12 +323,12 @@ TEST_F(Cascaded, AFrozenViewIsDrawnAndCastsNoShadow) {
   show(scene, "vsm");
   const Image<float> surfaces = renderer->surfaces();
   const Image<std::uint8_t> colour = renderer->colour();
-  // Somewhere along an edge of the first part's far end, before whatever stands behind it.
+  // The point lies on an edge of the first part's far end, in front of everything behind it.
   const Cascade& first = renderer->cascades()[0];
   const auto corners =
       viewCorners(walker, double(width) / height, first.nearDistance, first.farDistance);
-  // Surfaces are drawn from the part of the frozen view that they are in, not of the one from
-  // above.
+  // Surfaces are drawn from the part of the frozen view that they are in, not from that of the view
+  // from above.
   int inFirst = 0;
   for (int y = 0; y < height; y += 4) {
     for (int x = 0; x < width; x += 4) {
@@ -356,7 +357,7 @@ TEST_F(Cascaded, AFrozenViewIsDrawnAndCastsNoShadow) {
   }
   EXPECT_GT(tried, 4);
   EXPECT_EQ(drawn, tried);
-  // The lines belong to nobody's surface, and the maps know nothing of them.
+  // The lines belong to no surface, and the maps do not contain them.
   std::vector<DepthMap> maps;
   for (int i = 0; i < 3; ++i) maps.push_back(renderer->depthMap(i));
   settings.map.cascades.frozen.reset();

@@ -1,5 +1,5 @@
-// Every scene of the catalogue in every technique. With UMBRA_TEST_PICTURES set to a folder, the
-// pictures are kept there to be looked at.
+// Draws every scene of the catalogue with every technique. Where UMBRA_TEST_PICTURES names a
+// folder, the pictures are saved there.
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkWindowToImageFilter.h>
@@ -37,7 +37,7 @@ std::vector<std::string> openableScenes() {
 
 TEST_P(CatalogueScene, HasLightAndShadowInEveryTechnique) {
   const auto scene = std::make_shared<const Scene>(makeScene(GetParam()));
-  settings.map.size = 1024;  // at half of it the iron fence is all penumbra
+  settings.map.size = 1024;  // at half of it the iron fence has only penumbrae
   const TechniqueCatalogue catalogue = allTechniques();
   for (const Technique* candidate : catalogue.all()) {
     const std::string id(candidate->info().id);

@@ -1,5 +1,5 @@
-// Every technique with every filter, format, number of samples and of cascades, in pairs: frames
-// have no error and no NaN, visibility stays in [0,1], bounds stay bounds, and what cannot be
+// Pairs of technique, filter, format, number of samples and number of cascades. Frames have no
+// error and no NaN, visibility stays in [0,1], bounds stay bounds, and a combination that cannot be
 // composed is refused with its reason.
 #include <cmath>
 
@@ -54,16 +54,17 @@ class Composition : public test::FrameFixture, public testing::WithParamInterfac
         ASSERT_LE(reference(x, y), 1.0f) << x << "," << y;
       }
     }
-    // Sums over the whole map of what spans many powers of e lose what is small: a bound is none
-    // then, which the page of such a technique says.
+    // Sums over the whole map of values that span many powers of e lose the small ones: the result
+    // is then no bound, as the page of such a technique says.
     const bool sumsExactly = settings.read.filter != ReadFilter::SummedArea ||
                              technique->refusal(StorageFormat::Unorm16).empty();
     if (technique->info().upperBound && settings.map.format == StorageFormat::Float && sumsExactly)
       expectBound(surfaces, reference);
   }
 
-  // Roundings of a sum over the kernel along both axes, and of mixing two levels bilinearly. A
-  // table's entry has twice its size's logarithm of them, in terms of a sum over the whole map.
+  // These are the roundings of a sum over the kernel along both axes, and of mixing two levels
+  // bilinearly. A table's entry has twice the logarithm of its size of them, in terms of a sum over
+  // the whole map.
   int roundingsOfRead() const {
     const int taps = 2 * settings.kernel.effectiveRadius() + 1, n = settings.map.size;
     if (settings.read.filter != ReadFilter::SummedArea) return 2 * (taps + 2) + 16;
@@ -74,7 +75,7 @@ class Composition : public test::FrameFixture, public testing::WithParamInterfac
     for (int y = 2; y < surfaces.height(); y += 7) {
       for (int x = y % 11; x < surfaces.width(); x += 11) {
         if (surfaces(x, y, 3) >= reference(x, y)) continue;
-        // Below: within what rounding may do, at exactly this read.
+        // A bound may be lower only by rounding, in exactly this read.
         const auto point = renderer->surfaceAt(x, y);
         ASSERT_TRUE(point);
         if (point->nextCascade > 0.0) continue;
@@ -92,8 +93,8 @@ class Composition : public test::FrameFixture, public testing::WithParamInterfac
   }
 };
 
-// What a table of sums cannot average, said apart from whyImpossible: not a Gaussian; for those
-// that store what is averaged, no extremes, and in integers no channel without a range.
+// The combinations that a table of sums cannot average, written independently of whyImpossible: a
+// Gaussian kernel, extremes, and in integers a channel without a range.
 bool expectsRefusal(const FrameSettings& s, const Technique& technique) {
   if (!technique.refusal(s.map.format).empty()) return true;
   if (s.read.filter != ReadFilter::SummedArea) return false;

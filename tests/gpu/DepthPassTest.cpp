@@ -1,4 +1,4 @@
-// The depth pass against ray casting by hand.
+// The depth pass against rays that are intersected here.
 #include <cmath>
 
 #include "tests/gpu/FrameFixture.h"
@@ -88,7 +88,7 @@ TEST_F(DepthPass, FrontFacesCanBeCulled) {
   EXPECT_NEAR(depthUnder({2, 1, -1.5}), frame.project({2, 1.2, -1.5}).z, 1e-6);
 }
 
-// An object that does not bound the light's frame may reach before its near plane.
+// An object that does not bound the light's frame may reach beyond its near plane.
 TEST_F(DepthPass, WhatLiesBeforeTheNearPlaneStillCasts) {
   const auto scene = test::slabOverGround();
   SceneObject roof;

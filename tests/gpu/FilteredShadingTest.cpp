@@ -1,4 +1,4 @@
-// The shaded frame through mip levels: what its pixels cover, and what they see.
+// The shaded frame through mip levels: the footprints and the visibilities of its pixels.
 #include <cmath>
 
 #include "filters/core/prefilter/Prefilter.h"
@@ -76,12 +76,12 @@ TEST_F(FilteredShading, AgreesWithTheReferenceThroughItsLevels) {
   }
 }
 
-// In the four pixels that a GPU shades together: the way of the map position along a row or column
-// of them, the longer one of the two.
+// The longer one of the two ways that the position on the map moves along a row and along a column
+// of the four pixels that a GPU shades together.
 TEST_F(FilteredShading, FootprintsAreTheWayToTheNextPixel) {
   settings.read = {ReadFilter::Anisotropic, 4};
   const auto scene = std::make_shared<Scene>(*test::slabOverGround());
-  scene->objects.resize(1);  // one surface, so that neighbours lie on it too
+  scene->objects.resize(1);  // one surface, so that neighbouring pixels show it, too
   show(scene, "vsm");
   const Image<float> surfaces = renderer->surfaces();
   const double size = settings.map.size;
@@ -99,7 +99,7 @@ TEST_F(FilteredShading, FootprintsAreTheWayToTheNextPixel) {
       if (!ground) continue;
       const Footprint footprint = renderer->surfaceAt(x, y)->footprint;
       const Eigen::Vector2d axis(footprint.x, footprint.y);
-      // Up is the next row of OpenGL's.
+      // In OpenGL the next row is above.
       double nearest = 1e300, longest = 0.0, shortest = 1e300;
       const Eigen::Vector2d ways[] = {texel(1, 0) - texel(0, 0), texel(1, 1) - texel(0, 1),
                                       texel(0, 0) - texel(0, 1), texel(1, 0) - texel(1, 1)};
@@ -122,7 +122,7 @@ TEST_F(FilteredShading, FootprintsAreTheWayToTheNextPixel) {
   EXPECT_GT(compared, 3000);
 }
 
-// However coarse a level a pixel reads.
+// The read is checked however coarse the level is.
 TEST_F(FilteredShading, APlaneCastsNoShadowOnItself) {
   const auto scene = std::make_shared<Scene>(*test::slabOverGround());
   scene->objects.resize(1);

@@ -1,4 +1,4 @@
-// A ShadowRenderer on a headless window, and ways to look at what it made.
+// A ShadowRenderer in a headless window, and helpers to examine its results.
 #pragma once
 
 #include <string>
@@ -38,7 +38,7 @@ class FrameFixture : public GpuTest {
     return names;
   }
 
-  // Where a world point lies in the picture, as the camera's own mathematics says.
+  // The pixel of a world point, by the camera's own mathematics.
   static Eigen::Vector2i pixelOf(const Camera& camera, const Eigen::Vector3d& world);
 
   void TearDown() override {

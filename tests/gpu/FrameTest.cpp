@@ -1,4 +1,4 @@
-// What the frame redoes, hands out and leaves alone.
+// What a frame recomputes, hands out and leaves unchanged.
 #include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkNew.h>
@@ -73,7 +73,7 @@ TEST_F(Frame, RedoesOnlyWhatChanged) {
 TEST_F(Frame, ReadBacksHaveTheirTopRowFirst) {
   const auto scene = test::slabOverGround();
   show(scene, "vsm");
-  // Two corners of the ground that differ in both coordinates, and the slab's top.
+  // These are two corners of the ground that differ in both coordinates, and the slab's top.
   for (const Eigen::Vector3d& world :
        {Eigen::Vector3d(-4, 0, 4), Eigen::Vector3d(-3, 0, -4), Eigen::Vector3d(1.8, 1.2, -1.2)}) {
     const Eigen::Vector2i pixel = pixelOf(scene->camera, world);
@@ -100,9 +100,9 @@ TEST_F(Frame, ReadBacksHaveTheirTopRowFirst) {
 
 TEST_F(Frame, KnowsWhatFacesAwayFromTheLight) {
   const auto scene = test::slabAndBall();
-  scene->light.position = {5, 8, -6};  // from behind
+  scene->light.position = {5, 8, -6};  // the light shines from behind
   show(scene, "vsm");
-  // The ball's side towards the camera, low.
+  // This is the low side of the ball, towards the camera.
   const Eigen::Vector3d world =
       Eigen::Vector3d(-1.5, 1, 1) + Eigen::Vector3d(-0.3, -0.6, 0.74).normalized();
   const Eigen::Vector2i pixel = pixelOf(scene->camera, world);
@@ -118,7 +118,7 @@ TEST_F(Frame, DrawsOthersPropsWithoutShadowOfTheirs) {
   const DepthMap before = renderer->depthMap();
   const Image<float> surfacesBefore = renderer->surfaces();
 
-  // A green upright card in front of the ground's centre.
+  // There is a green upright card in front of the ground's centre.
   vtkNew<vtkPoints> points;
   for (const auto& [x, y] : {std::pair{-1.0, 0.5}, {1.0, 0.5}, {1.0, 2.0}, {-1.0, 2.0}})
     points->InsertNextPoint(x, y, 2.0);
@@ -135,7 +135,7 @@ TEST_F(Frame, DrawsOthersPropsWithoutShadowOfTheirs) {
   actor->GetProperty()->LightingOff();
   renderer->renderer().AddActor(actor);
   renderer->setLight(scene->light);
-  settings.map.size = 512;  // bakes again
+  settings.map.size = 512;  // this makes the map stale
   showAgain();
   settings.map.size = 1024;
   showAgain();
@@ -147,7 +147,7 @@ TEST_F(Frame, DrawsOthersPropsWithoutShadowOfTheirs) {
   EXPECT_EQ(colour(pixel.x(), pixel.y(), 0), 0);
   EXPECT_EQ(colour(pixel.x(), pixel.y(), 1), 255);
 
-  // Behind the slab it is hidden: the scene's depth is handed on.
+  // Behind the slab the card is hidden, since the scene's depth is handed on.
   actor->SetPosition(2.0, -0.4, -4.5);
   renderer->render();
   const Eigen::Vector2i slab = pixelOf(scene->camera, {2, 1.1, -1});

@@ -1,4 +1,4 @@
-// What layered techniques store on the GPU, and how their splits follow the map from frame to
+// The channels of layered techniques on the GPU, and how their splits follow the map from frame to
 // frame.
 #include <algorithm>
 
@@ -33,7 +33,7 @@ class Layered : public FrameFixture {
   }
 };
 
-// Lauritzen 2008, §4.1.3: two layers to a texture of four 16-bit components.
+// Lauritzen 2008, §4.1.3: there are two layers in a texture of four 16-bit components.
 TEST_F(Layered, StoresTwoLayersInATexture) {
   ChannelBaker baker;
   baker.uploadDepth(testMaps().front().second);
@@ -47,7 +47,7 @@ TEST_F(Layered, StoresTwoLayersInATexture) {
   EXPECT_EQ(baker.channelMap().layers(), 1);
 }
 
-// All layers come from one depth map, drawn once, in one pass over its texels.
+// All layers come from one depth map, which is drawn once, in one pass over its texels.
 TEST_F(Layered, EncodesAnyNumberInOnePass) {
   for (int layers : {1, 2, 5, 16}) {
     showLayers(lvsmOf(layers));
@@ -56,7 +56,7 @@ TEST_F(Layered, EncodesAnyNumberInOnePass) {
   }
 }
 
-// φ is z up to two roundings, and what is stored up to one more step of the format.
+// φ is z up to two roundings; a stored value is off by up to one more step of the format.
 TEST_F(Layered, OneLayerIsVsm) {
   const std::unique_ptr<Technique> vsm = allTechniques().make("vsm"), one = lvsmOf(1);
   const Kernel kernel{KernelShape::Box, 2};
@@ -87,7 +87,7 @@ TEST_F(Layered, OneLayerIsVsm) {
       ASSERT_EQ(layered.channels(), 2);
       for (std::size_t i = 0; i < plain.values().size(); ++i)
         ASSERT_NEAR(layered.values()[i], plain.values()[i], storage) << "value " << i;
-      // The same channels for both, so that only the formulas are compared.
+      // Both have the same channels, so that only the formulas are compared.
       baker.upload(BakeStage::Prefiltered, plain);
       const std::vector<float> visibility = baker.evaluate(table, nullptr, *one, read);
       for (int y = 0; y < map.height(); ++y)
@@ -105,7 +105,7 @@ TEST_F(Layered, OneLayerIsVsm) {
   }
 }
 
-// Without a display all splits are at rest before the frame is drawn, and are the reference's.
+// Without a display all splits are at rest before the frame is drawn, and equal the reference's.
 TEST_F(Layered, AFrameHasTheReferencesSplits) {
   showLayers(lvsmOf(4, "lloyd"));
   EXPECT_EQ(passes(), "splits encode prefilter shade view");
@@ -119,7 +119,7 @@ TEST_F(Layered, AFrameHasTheReferencesSplits) {
   renderer->render();
   EXPECT_EQ(passes(), "shade view") << "splits at rest cost nothing";
 
-  // Another technique with as many layers shares them.
+  // Another technique with as many layers uses the same splits.
   technique = allTechniques().make("layered-power-cdf");
   set(*technique, "placement", "lloyd");
   renderer->setTechnique(*technique);
@@ -131,7 +131,7 @@ TEST_F(Layered, AFrameHasTheReferencesSplits) {
   EXPECT_TRUE(renderer->adaptedSplits().empty());
 }
 
-// What is encoded, and what splits are found from, is the depth that the same frame has drawn.
+// Encoding and finding splits both use the depth that the same frame has drawn.
 TEST_F(Layered, AFrameWhoseLightMovedUsesItsOwnDepths) {
   settings.map.size = 128;
   show(slabAndBall(), "hard");
@@ -191,14 +191,14 @@ TEST_F(Layered, InAWindowSplitsMoveFromFrameToFrame) {
   renderer->render();
   EXPECT_EQ(passes(), "shade view");
 
-  // A light that moves a little starts from them.
+  // A light that moves a little starts from the last splits.
   Light light = slabAndBall()->light;
   light.position.x() += 0.1;
   renderer->setLight(light);
   renderer->render();
   EXPECT_EQ(renderer->adaptedSplits(), splits);
   EXPECT_TRUE(renderer->splitsMoving());
-  // At the other pace the frame has them where the reference does.
+  // At the other pace the frame's splits are the reference's.
   renderer->setSplitPace(SplitPace::Converged);
   renderer->render();
   EXPECT_FALSE(renderer->splitsMoving());

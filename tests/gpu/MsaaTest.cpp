@@ -54,8 +54,8 @@ class Msaa : public test::GpuTest {
     return depths[std::size_t(layer) * texels + std::size_t(y) * mapSize + x];
   }
 
-  // Where in a texel the samples lie, from its top-left corner: as the driver says of the
-  // framebuffer that is bound, in which row 0 is the map's top row.
+  // The samples' places in a texel, from its top-left corner, as the driver gives them for the
+  // framebuffer that is bound. Row 0 of that framebuffer is the map's top row.
   std::vector<Eigen::Vector2d> samplePlaces(int samples) {
     gl::MultisampleTexture texture;
     texture.require(GL_R32F, mapSize, mapSize, samples);
@@ -98,7 +98,7 @@ std::shared_ptr<Scene> slantedPlane(LightKind kind) {
   return scene;
 }
 
-// Of the ground y = 0 at (u, v) of the map; 1 beside it.
+// The depth of the ground y = 0 at (u, v) of the map; 1 beside it.
 double planeDepth(const LightFrame& frame, double u, double v) {
   const Eigen::Vector3d near = frame.unproject(u, v, 0.0), far = frame.unproject(u, v, 1.0);
   const double t = near.y() / (near.y() - far.y());
@@ -107,7 +107,7 @@ double planeDepth(const LightFrame& frame, double u, double v) {
   return on && t > 0.0 ? frame.project(hit).z : 1.0;
 }
 
-// Whether nothing but the plane, or nothing at all, lies within a texel of (x, y).
+// Whether only the plane, or nothing at all, lies within a texel of (x, y).
 bool awayFromEdge(const LightFrame& frame, int x, int y) {
   int on = 0;
   for (int j = -1; j <= 2; ++j)
@@ -179,7 +179,7 @@ TEST_F(Msaa, AnEdgeCoversTheSamplesInsideIt) {
     }
   }
   EXPECT_GT(partly, 20);
-  EXPECT_GT(grounded, mapSize * mapSize);  // of `given` samples a texel
+  EXPECT_GT(grounded, mapSize * mapSize);  // there are `given` samples a texel
 }
 
 TEST_F(Msaa, OnlyItsOwnLayersAreWritten) {
@@ -198,7 +198,7 @@ TEST_F(Msaa, OnlyItsOwnLayersAreWritten) {
   }
 }
 
-// Several samples drawn in between leave nothing behind.
+// Drawing several samples in between changes nothing afterwards.
 TEST_F(Msaa, OneSampleIsAsItWas) {
   const auto scene = test::slabAndBall();
   draw(scene, 1);

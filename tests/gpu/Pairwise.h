@@ -1,4 +1,4 @@
-// Few combinations in which every two choices of different axes meet.
+// A few combinations in which every two choices of different axes meet.
 #pragma once
 
 #include <set>
@@ -19,7 +19,8 @@ inline std::vector<std::vector<int>> pairwise(const std::vector<int>& sizes) {
         for (int j = 0; j < sizes[b]; ++j) open.insert({a, i, b, j});
   std::vector<std::vector<int>> combinations;
   while (!open.empty()) {
-    // Starts from a pair that is still open, then takes for each axis what closes most of them.
+    // Starts from a pair that has not met, then takes for each axis the choice that adds most new
+    // pairs.
     std::vector<int> chosen(axes, -1);
     const auto [first, i, second, j] = *open.begin();
     chosen[first] = i;

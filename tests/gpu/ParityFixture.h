@@ -1,5 +1,5 @@
-// What the comparisons of the GPU with the reference share: maps, kernels, techniques in formats,
-// and what storing may change.
+// Shared by the comparisons of the GPU with the reference: maps, kernels, techniques in formats,
+// and the error of storing.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace umbra::test {
 
-// Not square, so that an exchange of the axes shows. Values are floats, as the GPU gets them.
+// The map is not square, so that an exchange of the axes shows. Values are floats, as on the GPU.
 inline DepthMap mapOf(const std::function<double(int, int)>& depth) {
   DepthMap map(61, 43);
   for (int y = 0; y < map.height(); ++y)
@@ -98,7 +98,7 @@ class ParityFixture : public GpuTest, public testing::WithParamInterface<Case> {
     baker->encode(*technique, GetParam().format);
   }
 
-  // The reference's channels before the prefilter, stored.
+  // The reference's channels before the prefilter, as stored.
   Image<double> encoded(const DepthMap& map) const {
     return encodeMap(map, *technique, GetParam().format);
   }
@@ -114,7 +114,7 @@ inline Image<float> toFloat(const Image<double>& image) {
   return result;
 }
 
-// The first texel that is out of tolerance is enough to say what is wrong.
+// The first texel that is out of tolerance is enough to show what is wrong.
 template <class Tolerance>
 void expectNear(const Image<float>& gpu, const Image<double>& cpu, const Tolerance& tolerance) {
   ASSERT_EQ(gpu.width(), cpu.width());
@@ -126,7 +126,7 @@ void expectNear(const Image<float>& gpu, const Image<double>& cpu, const Toleran
             << "channel " << c << " of texel " << x << "," << y;
 }
 
-// Receivers at every kind of place: behind, before and exactly at what the texel saw.
+// Receivers at every kind of place: behind, before and exactly at the texel's depth.
 inline double receiverFor(int x, int y, const Region& region) {
   const RegionStatistics statistics = statisticsOf(region);
   switch ((x + 3 * y) % 5) {

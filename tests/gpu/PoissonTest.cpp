@@ -1,5 +1,5 @@
-// Sampled percentage-closer filtering on the GPU against the reference: the same texels, to the
-// bit.
+// Sampled percentage-closer filtering on the GPU against the reference: both must take exactly the
+// same texels.
 #include "filters/techniques/pcf/Pcf.h"
 #include "tests/gpu/ParityFixture.h"
 

@@ -9,7 +9,7 @@ using namespace test;
 
 class ReadParity : public ParityFixture {
  protected:
-  // The map's prefiltered channels as the reference has them, on the GPU, and their mip levels.
+  // Uploads the map's prefiltered channels of the reference and builds their mip levels.
   void bake(const DepthMap& map, const Kernel& kernel) {
     prepare(map);
     if (!technique->info().prefilterable) return;
@@ -72,7 +72,7 @@ TEST_P(ReadParity, LevelsReduceFourTexelsOfTheLevelBelow) {
   }
 }
 
-// Extremes of a whole block of the map, its edge repeated, are those of its texels.
+// The extremes of a block of the map, whose edge repeats, equal those of its texels.
 TEST_P(ReadParity, ExtremesOfALevelAreThoseOfItsTexels) {
   const DepthMap map = testMaps().back().second;
   bake(map, {KernelShape::Box, 1});
@@ -97,7 +97,7 @@ TEST_P(ReadParity, ExtremesOfALevelAreThoseOfItsTexels) {
   }
 }
 
-// A read as the reference weighs it, of the levels as the GPU has them.
+// A read with the reference's weights, of the levels on the GPU.
 std::vector<double> mixedLevels(const std::vector<Image<float>>& levels, const ReadPoint& read,
                                 int width, int height) {
   std::vector<double> mixed(levels[0].channels(), 0.0);
@@ -191,8 +191,8 @@ TEST_P(ReadParity, ReadsMixLevelsAsTheReferenceDoes) {
   }
 }
 
-// From the depths to a read, without help of the reference between: every store on the way rounds,
-// and where both differ in a digit or stand at a tie, one more unit of the format.
+// From depths to a read without help of the reference in between: every store on the way rounds.
+// Where both sides differ in a digit or are at a tie, one more unit of the format is allowed.
 TEST_P(ReadParity, TheWholeWayEndsWhereTheReferenceDoes) {
   if (!technique->info().prefilterable) return;
   const Kernel kernel{KernelShape::Box, 2};

@@ -1,4 +1,4 @@
-// What float arithmetic on the GPU may differ by from the reference in double.
+// How much float arithmetic on the GPU may differ from the reference in double.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Summed-area tables and multisampled maps in whole frames: what is baked when, how wide boxes are,
-// what is refused.
+// and what is refused.
 #include <cmath>
 
 #include "filters/core/prefilter/Prefilter.h"
@@ -21,7 +21,7 @@ class SatFrame : public test::FrameFixture {
     settings.read.satSize = SatSize::Fixed;
   }
 
-  // Of a point of the ground that nothing hides.
+  // The surface at a point of the ground that nothing hides.
   SurfacePoint ground() {
     const Eigen::Vector2i pixel = pixelOf(renderer->camera(), {-2, 0, 2});
     const auto point = renderer->surfaceAt(pixel.x(), pixel.y());
@@ -72,7 +72,7 @@ TEST_F(SatFrame, TheBoxFollowsItsRule) {
   EXPECT_EQ(ground().footprint.x, double(ReadSettings::largestSatWidth));
 }
 
-// A pixel's derivatives are the differences within its two by two.
+// A pixel's derivatives are differences within its group of 2 × 2 pixels.
 TEST_F(SatFrame, AFootprintIsWhatAPixelCovers) {
   settings.map.size = 2048;
   settings.kernel = {KernelShape::None, 0};
@@ -80,11 +80,11 @@ TEST_F(SatFrame, AFootprintIsWhatAPixelCovers) {
   show(test::slabOverGround(), "vsm");
   const Image<float> surfaces = renderer->surfaces();
   Eigen::Vector2i pixel = pixelOf(renderer->camera(), {-2, 0, 2});
-  const int x = pixel.x() / 2 * 2, y = pixel.y() / 2 * 2;  // top left of its two by two
+  const int x = pixel.x() / 2 * 2, y = pixel.y() / 2 * 2;  // top left of its group
   const auto point = renderer->surfaceAt(x, y);
   ASSERT_TRUE(point.has_value());
   for (int axis : {0, 1}) {
-    double low = 1e300, high = 0.0;  // of what either row and either column tells
+    double low = 1e300, high = 0.0;  // range over both rows and both columns
     for (int i : {0, 1}) {
       for (int j : {0, 1}) {
         const double along = surfaces(x + 1, y + j, axis) - surfaces(x, y + j, axis);
@@ -96,7 +96,7 @@ TEST_F(SatFrame, AFootprintIsWhatAPixelCovers) {
     }
     const double box = axis == 0 ? point->footprint.x : point->footprint.y;
     ASSERT_GT(low, 1.5) << "too fine a picture for this test";
-    // Coordinates up to 1 are rounded in a chain of sixteen.
+    // Coordinates up to 1 are rounded in a chain of sixteen operations.
     const double rounding = 4 * 16 * 6e-8 * settings.map.size;
     EXPECT_GE(box, low - rounding);
     EXPECT_LE(box, high + rounding);
@@ -121,7 +121,7 @@ TEST_F(SatFrame, WhatCannotBeIsRefusedWithTheReason) {
   }
   settings.read.filter = ReadFilter::Bilinear;
   EXPECT_EQ(refusal("vsm"), "");
-  settings.read.filter = ReadFilter::SummedArea;  // with nothing to bake
+  settings.read.filter = ReadFilter::SummedArea;  // there is nothing to bake
   renderer->setFrame(settings);
   EXPECT_THROW(renderer->render(), Error);
 }

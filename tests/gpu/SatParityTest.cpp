@@ -18,9 +18,9 @@ class SatParity : public ParityFixture {
     return frame;
   }
 
-  // How far one channel's box mean may be off: sums of floats gather what the nodes round (thrice
-  // for each of 3 + 3 passes), four of them and three differences along both axes for each of nine
-  // rectangles.
+  // How far one channel's box mean may be off. Sums of floats gather the rounding of the nodes
+  // (three times for each of 3 + 3 passes): four nodes and three differences along both axes for
+  // each of nine rectangles.
   double sumsError(const Image<double>& encoded, int channel, SatPrecision precision,
                    const ReadPoint& read) const {
     const Footprint& box = read.footprint;
@@ -48,7 +48,7 @@ class SatParity : public ParityFixture {
                          largestSatWeight(read.v * 43, box.y, 43);
   }
 
-  // How far visibility moves when every channel is off by that much.
+  // How far visibility moves when every channel is off by sumsError.
   double visibilityMoved(const Image<double>& texels, const Fetch& fetch, double receiver,
                          SatPrecision precision, const ReadPoint& read) const {
     const double exact = technique->visibility(fetch, receiver);
@@ -94,7 +94,7 @@ TEST_P(SatParity, BoxesAreReadAsTheReferenceReadsThem) {
       if (!whyImpossible(frameOf(precision), *technique).empty()) continue;
       SCOPED_TRACE(name + ", " + std::string(nameOf(precision)));
       if (baker->needsSums(precision)) baker->buildSums(precision);
-      int sharp = 0;  // comparisons to within a hundredth of the whole range
+      int sharp = 0;  // the number of comparisons exact to a hundredth of the whole range
       std::vector<float> surfaces, footprints;
       for (std::size_t i = 0; i < points.size(); ++i) {
         const ReadPoint& point = points[i];
@@ -137,7 +137,7 @@ TEST_P(SatParity, BoxesAreReadAsTheReferenceReadsThem) {
             << "reference of read " << i << " at " << point.u << "," << point.v << ", box "
             << point.footprint.x << "x" << point.footprint.y << ", receiver " << receiver;
       }
-      // Exponentials and four moments lose most of what sums of floats round.
+      // Exponentials and four moments are sensitive to most of the rounding in sums of floats.
       EXPECT_GE(sharp, int(points.size()) / 16);
     }
   }

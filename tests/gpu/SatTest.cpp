@@ -13,8 +13,8 @@ using namespace test;
 constexpr SatPrecision precisions[] = {SatPrecision::Centred, SatPrecision::Integer,
                                        SatPrecision::Plain};
 
-// What a read of the table cannot have: as SatRead.glsl weighs texels along one axis of `size`, but
-// one by one and in double.
+// The texels' weights along one axis of `size` as SatRead.glsl should give them, computed for each
+// texel by itself and in double.
 std::vector<double> coverage(double centre, double width, int size) {
   const double low = centre - width / 2, high = centre + width / 2;
   std::vector<double> weights(size, 0.0);
@@ -36,8 +36,8 @@ double boxMean(const Image<float>& values, int channel, double x, double y, doub
   return mean;
 }
 
-// Of one float addition after the other, by which a node of the table gathers its texels: passes
-// over both axes, three each.
+// The number of float additions, one after the other, by which a node of the table gathers its
+// texels: three for each pass over each axis.
 int additions(int width, int height) {
   int passes = 0;
   for (int length : {width, height})
@@ -45,8 +45,8 @@ int additions(int width, int height) {
   return 3 * passes;
 }
 
-// A technique whose visibility is the channel that the receiver names, so that what a read gives
-// can be seen.
+// A technique whose visibility is the channel that the receiver names, so that a test can see what
+// a read gives.
 class Channels final : public TechniqueWith<Channels, NoParameters> {
  public:
   const TechniqueInfo& info() const override {
@@ -146,8 +146,8 @@ class Sat : public GpuTest {
   std::optional<ChannelBaker> baker;
 };
 
-// How far a float table's mean may be off where the absolute values that it sums come to `total`:
-// every node has rounded each of its additions; a rectangle takes four nodes and three differences,
+// How far a float table's mean may be off where the absolute values that it sums add up to `total`.
+// Every node has rounded each of its additions; a rectangle takes four nodes and three differences,
 // and is weighted along both axes.
 double sumsError(double total, const DepthMap& map, const Box& box) {
   return (4 * additions(map.width(), map.height()) + 3 * 2) * eps * total *
@@ -179,7 +179,7 @@ TEST_F(Sat, BoxMeansAgreeWithTheReferenceInEveryPrecision) {
         const Image<float> stored = baker->read(BakeStage::Encoded, box.cascade);
         const double exact = boxMean(stored, box.channel, box.u * map.width(), box.v * map.height(),
                                      box.width, box.height);
-        // All values lie within a range of 1, about 0 or about what is subtracted.
+        // All values lie within a range of 1, about 0 or about the value that is subtracted.
         const double total = double(map.width()) * map.height();
         const double summing = precision == SatPrecision::Integer
                                    ? (format == StorageFormat::Unorm16 ? 0.0 : 0.5 / 65535)
@@ -194,7 +194,7 @@ TEST_F(Sat, BoxMeansAgreeWithTheReferenceInEveryPrecision) {
 
 constexpr int large = 1024;
 
-// Values far from zero and near each other.
+// The values are far from zero and near each other.
 DepthMap largeMap() {
   std::mt19937 random(20081015);
   std::uniform_real_distribution<double> uniform(0.9, 0.9125);
@@ -203,7 +203,7 @@ DepthMap largeMap() {
   return map;
 }
 
-// Boxes of one texel each, by the corner whose sums are the largest.
+// Boxes of one texel each, at the corner where the sums are largest.
 std::vector<Box> farTexels() {
   std::vector<Box> boxes;
   for (int i = 0; i < 64; ++i)
@@ -239,7 +239,7 @@ TEST_F(Sat, IntegersRunOverAndAreExactAllTheSame) {
   for (std::size_t i = 0; i < boxes.size(); ++i)
     EXPECT_NEAR(gpu[i], map(int(boxes[i].u * large), int(boxes[i].v * large)),
                 0.5 / 65535 + readingError(boxes[i], map));
-  // The largest box of the largest value, without a rounding on the way.
+  // The largest box of the largest value must be exact, without any rounding.
   bake({DepthMap(large, large, 1, 1.0)}, SatPrecision::Integer, StorageFormat::Float);
   const Box box{0.5, 0.5, ReadSettings::largestSatWidth, ReadSettings::largestSatWidth};
   EXPECT_NEAR(means({box}, SatPrecision::Integer)[0], 1.0, 16 * eps);

@@ -1,4 +1,4 @@
-// The shaded frame: whose light it darkens, and by how much.
+// The shaded frame: which light's part it darkens, and by how much.
 #include <vtkLight.h>
 #include <vtkLightCollection.h>
 #include <vtkRenderer.h>
@@ -14,7 +14,7 @@ namespace {
 
 class Shading : public test::FrameFixture {
  protected:
-  // Visibility of one read as the reference evaluates it.
+  // The visibility of one read, evaluated by the reference.
   double visibilityAt(double u, double v, double receiver) {
     const DepthMap& map = renderer->depthMap();
     const Region region = regionBilinear(map, settings.kernel, u, v);
@@ -95,7 +95,7 @@ TEST_F(Shading, DarkensTheCastingLightAndNoOther) {
       const Image<float> surfaces = renderer->surfaces();
       const Image<std::uint8_t> shadowed = renderer->colour();
 
-      renderer->renderer().SetPass(nullptr);  // VTK alone
+      renderer->renderer().SetPass(nullptr);  // VTK draws alone
       window->Render();
       const Image<std::uint8_t> lit = renderer->colour();
       vtkLight* casting =
@@ -123,8 +123,8 @@ TEST_F(Shading, DarkensTheCastingLightAndNoOther) {
   }
 }
 
-// A single plane can block nothing of itself, however wide the kernel and slanting the light (down
-// to where the bias reaches its limit).
+// A single plane blocks nothing of itself, however wide the kernel is and however the light slants
+// (down to the angle at which the bias reaches its limit).
 TEST_F(Shading, APlaneCastsNoShadowOnItself) {
   const auto scene = std::make_shared<Scene>(*test::slabOverGround());
   scene->objects.resize(1);

@@ -19,19 +19,19 @@ constexpr int manyFrames = 10000;
 
 class SplitRelaxerTest : public GpuTest {
  protected:
-  // Depths as the GPU holds them.
+  // The map's depths as the GPU has them.
   static gl::Texture upload(const DepthMap& map) {
     gl::Texture texture(GL_R32F, map.width(), map.height(), 1);
     texture.upload(1, std::vector<float>(map.values().begin(), map.values().end()));
     return texture;
   }
 
-  // Frames until nothing moves, as a window draws them.
+  // Draws frames until nothing moves, as a window does.
   static int settle(SplitRelaxer& relaxer, const gl::Texture& depth, int count) {
     int frames = 0;
     do {
       relaxer.advance(depth, count, SplitPace::Gradual);
-      glFinish();  // what a frame asked for has arrived at the next
+      glFinish();  // the sums that a frame asked for are there at the next one
     } while (++frames < manyFrames && relaxer.moving());
     return frames;
   }
@@ -45,7 +45,7 @@ DepthMap planes(int width, int height, const std::vector<double>& depths) {
   return map;
 }
 
-// Heaps of depths with gaps between them, and a slope.
+// Groups of depths with gaps between them, and a slope.
 DepthMap randomMap(unsigned seed, int width, int height) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
@@ -74,7 +74,8 @@ void expectEqual(const LloydResult& gpu, const LloydResult& cpu, double rounding
   for (std::size_t k = 0; k < cpu.splits.size(); ++k)
     EXPECT_NEAR(gpu.splits[k], cpu.splits[k], rounding) << "split " << k;
   ASSERT_EQ(gpu.cost.size(), cpu.cost.size());
-  // Of three sums, each at most 1 in size for one unit of weight, and two splits.
+  // The cost is made of three sums, each at most 1 in size for one unit of weight, and of two
+  // splits.
   for (std::size_t i = 0; i < cpu.cost.size(); ++i)
     EXPECT_NEAR(gpu.cost[i], cpu.cost[i], 4.0 * rounding) << "iteration " << i;
 }
@@ -146,7 +147,7 @@ TEST_F(SplitRelaxerTest, CostNeverRises) {
   }
 }
 
-// The paper's two splits a frame: what a frame asks for moves splits in a later one.
+// The paper's two splits a frame: sums that a frame asks for move splits in a later frame.
 TEST_F(SplitRelaxerTest, NoFrameWaitsForItsOwnSums) {
   const DepthMap map = randomMap(1, 120, 90);
   const gl::Texture depth = upload(map);
@@ -172,8 +173,8 @@ TEST_F(SplitRelaxerTest, TwoSplitsAFrameEndWhereNothingMovesEither) {
     const int frames = settle(relaxer, depth, 5);
     const LloydResult two = relax(samples, {.splits = 5, .movedPerIteration = 2});
     expectEqual(relaxer.result(), two, roundingOf(map));
-    EXPECT_EQ(frames, 1 + two.iterations + two.teleports);  // a teleport asks once more
-    // A resting place of one pace is one of the other.
+    EXPECT_EQ(frames, 1 + two.iterations + two.teleports);  // a teleport asks for sums once more
+    // Splits at rest at one pace are at rest at the other.
     const LloydResult again = relax(samples, {.splits = 5, .start = two.splits});
     EXPECT_EQ(again.iterations, 1);
     EXPECT_NEAR(again.cost.back(), relaxer.result().cost.back(), 4.0 * roundingOf(map));
@@ -188,8 +189,8 @@ TEST_F(SplitRelaxerTest, GoesOnFromTheLastSplitsWhenTheMapChanges) {
   settle(relaxer, depth, 5);
   const std::vector<double> first = relaxer.splits();
 
-  relaxer.mapChanged();                         // into one with equal depths
-  EXPECT_EQ(settle(relaxer, depth, 5), 1 + 3);  // five splits, two at a time
+  relaxer.mapChanged();                         // the new map has equal depths
+  EXPECT_EQ(settle(relaxer, depth, 5), 1 + 3);  // five splits, two in each frame
   EXPECT_EQ(relaxer.splits(), first);
 
   const DepthMap other = randomMap(3, 100, 110);
@@ -204,8 +205,8 @@ TEST_F(SplitRelaxerTest, GoesOnFromTheLastSplitsWhenTheMapChanges) {
     EXPECT_NEAR(again.splits[k], relaxer.splits()[k], roundingOf(other));
 }
 
-// While a light is dragged every frame has another map: sums of the last one move splits all the
-// same.
+// While a light is dragged every frame has another map: the sums of the last map move splits
+// nevertheless.
 TEST_F(SplitRelaxerTest, MovesWhileTheMapChangesInEveryFrame) {
   SplitRelaxer relaxer;
   std::vector<double> last;

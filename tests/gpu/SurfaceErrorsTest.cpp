@@ -1,4 +1,4 @@
-// Errors on surfaces against those of frames that look at them.
+// Errors on surfaces against those of frames that show them.
 #include "analysis/surfaces/SurfaceErrors.h"
 
 #include <algorithm>
@@ -18,8 +18,8 @@ class Surfaces : public test::FrameFixture {
     return point && std::abs(point->world.y()) < 1e-4 && point->facesLight;
   }
 
-  // Where the shader, which takes its plane from the next pixels, may be off: their difference is
-  // of floats as large as the way to the light, `span` apart.
+  // How far the shader may be off, which takes its plane from the next pixels: their difference is
+  // one of floats as large as the distance to the light, `span` apart.
   void expectTheFramesReceivers() {
     const LightFrame light = renderer->lightFrame();
     const ReceiverBias bias(light, settings);
@@ -85,7 +85,7 @@ class Below : public Surfaces {
   std::shared_ptr<Scene> scene;
 };
 
-// Of a sum of values each standing for a cell: off by at most the variation within the cells.
+// A sum of values that each stand for a cell. It is off by at most the variation within the cells.
 struct Sum {
   double value = 0.0, uncertainty = 0.0;
 };

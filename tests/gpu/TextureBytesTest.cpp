@@ -1,4 +1,4 @@
-// What the textures of a map take, against their layouts counted by hand.
+// The bytes of a map's textures, against a count of their layouts by hand.
 #include <gtest/gtest.h>
 
 #include "filters/core/technique/TechniqueCatalogue.h"

@@ -1,4 +1,4 @@
-// Cascades in the layers of the baker's textures, and how many layers a technique takes.
+// How cascades lie in the layers of the baker's textures, and how many layers a technique takes.
 #include <random>
 
 #include "filters/core/prefilter/Prefilter.h"
@@ -20,7 +20,7 @@ DepthMap noise(int side, int samples, unsigned seed) {
   return map;
 }
 
-// Whatever lies in the other layers.
+// The contents of the other layers do not matter.
 TEST_F(TextureLayers, EveryCascadeIsBakedAsIfItWereAlone) {
   const Kernel kernel{KernelShape::Box, 2};
   for (int samples : {1, 4}) {
@@ -52,7 +52,7 @@ TEST_F(TextureLayers, EveryCascadeIsBakedAsIfItWereAlone) {
   }
 }
 
-// In a seam: the same place of the world in two maps, whose visibilities are mixed.
+// In a seam the same place of the world is read in two maps, whose visibilities are mixed.
 TEST_F(TextureLayers, ASeamMixesWhatTwoCascadesSee) {
   const auto technique = allTechniques().make("vsm");
   MapReads reads{{KernelShape::Box, 2}, ReadFilter::Bilinear};

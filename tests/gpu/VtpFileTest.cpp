@@ -1,4 +1,4 @@
-// Meshes as VTK's own reader finds them.
+// Meshes with values, read back by VTK's own reader.
 #include "filters/gpu/VtpFile.h"
 
 #include <gtest/gtest.h>

@@ -15,9 +15,9 @@ void set(Technique& technique, std::string_view name, const ParameterValue& valu
   parameterNamed(technique.parameters(), name, "test").set(value, "test");
 }
 
-// Lauritzen 2008, §3.2: the bound is the share p of the farther of two depths. Distances and
-// shares are such that no smallest variance takes part: p(1 − p)·Δ² > min-variance·c² for EVSM's
-// c = 40, with the warp's Δ.
+// Lauritzen 2008, §3.2: the bound is the share p of the farther of two depths. Distances and shares
+// are such that the smallest variance has no effect: p(1 − p)·Δ² > min-variance·c² for EVSM's c =
+// 40, with the warp's Δ.
 RC_GTEST_PROP(TwoDepths, AreExactInEveryWarp, ()) {
   const double near = draws::between(0.0, 0.7);
   const double far = draws::between(near + 0.2, 1.0);
@@ -27,8 +27,8 @@ RC_GTEST_PROP(TwoDepths, AreExactInEveryWarp, ()) {
     RC_ASSERT(std::abs(draws::visibilityOf(*draws::make(id), region, far) - p) < 1e-12);
 }
 
-// In layers the clamp may bring the depths as near as the receiver is to its layer's near end,
-// 2δ away from the blended zone on: 0.02² · 0.0475 > min-variance.
+// In layers, the clamp may bring the depths as near to each other as the receiver is to its layer's
+// near end; that is 2δ beyond the blended zone: 0.02² · 0.0475 > min-variance.
 RC_GTEST_PROP(TwoDepths, AreExactInLayers, ()) {
   const auto lvsm = draws::make("lvsm");
   const int layers = *rc::gen::inRange(1, 9);
@@ -41,7 +41,7 @@ RC_GTEST_PROP(TwoDepths, AreExactInLayers, ()) {
   RC_ASSERT(std::abs(draws::visibilityOf(*lvsm, region, far) - p) < 1e-9);
 }
 
-// Lauritzen 2008, eq. 3.4: two occluders A and B over C, where the truth is 0.
+// Lauritzen 2008, eq. 3.4: two occluders A and B over C, where the reference is 0.
 RC_GTEST_PROP(ThreePlanes, BleedByTheirClosedForm, ()) {
   const double a = draws::between(0.0, 0.5), b = draws::between(a + 0.01, 0.8);
   const double c = draws::between(b, 1.0);
@@ -51,7 +51,8 @@ RC_GTEST_PROP(ThreePlanes, BleedByTheirClosedForm, ()) {
   RC_ASSERT(std::abs(draws::visibilityOf(*draws::make("vsm"), region, c) - expected) < 1e-9);
 }
 
-// A split at or above B leaves no variance below it: only the smallest one is left.
+// A split at or above B leaves no variance below it, so that only the smallest variance has an
+// effect.
 RC_GTEST_PROP(ThreePlanes, DoNotBleedThroughASplit, ()) {
   const double a = draws::between(0.0, 0.4), b = draws::between(a, 0.6);
   const double split = draws::between(std::max(b, 0.01), 0.7);

@@ -12,7 +12,7 @@
 namespace umbra::draws {
 namespace {
 
-// Both ends included.
+// Both ends are included.
 int whole(int low, int high) {
   return *rc::gen::inRange(low, high + 1);
 }

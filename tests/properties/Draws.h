@@ -12,7 +12,7 @@
 
 namespace umbra::draws {
 
-// In [0,1]; the ends and simple fractions are frequent.
+// A number in [0,1]; the ends and simple fractions are frequent.
 double unit();
 double between(double low, double high);
 
@@ -24,23 +24,23 @@ struct Place {
 };
 Place place();
 
-// 1 to 12 texels a side, of 1, 2, 4 or 8 samples, at most `mostSamples`.
+// A map of 1 to 12 texels a side with 1, 2, 4 or 8 samples a texel, at most `mostSamples`.
 DepthMap map(int mostSamples);
 Kernel kernel();
-// Anywhere on the map, with a footprint that goes with the filter; a bilinear read between texel
-// centres, where its region is that of its channels.
+// A read anywhere on the map, with a footprint for the filter. A bilinear read lies between texel
+// centres, where its region has the weights of its channels.
 ReadPoint read(const DepthMap& map, ReadFilter filter);
 
-// Anywhere, or at or just beside one of the region's depths.
+// A depth anywhere, or at or just beside one of the region's depths.
 double receiverFor(const Region& region);
 
-// Every parameter of the technique, over its whole range.
+// Draws every parameter of the technique over its whole range.
 void parametersOf(Technique& technique);
 
-// One that the technique does not refuse, to whose limits it is then brought.
+// Draws a format that the technique does not refuse, and limits the technique to it.
 StorageFormat formatFor(Technique& technique);
 
-// Ids of all techniques, and the same with '_' for names of test cases.
+// The ids of all techniques, and an id with '_' for names of test cases.
 std::vector<std::string> techniqueIds();
 std::string caseName(std::string id);
 std::unique_ptr<Technique> make(const std::string& id);

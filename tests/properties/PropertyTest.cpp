@@ -1,4 +1,4 @@
-// What holds for every technique in the catalogue, whatever it is.
+// Properties of every technique in the catalogue.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -34,11 +34,11 @@ TEST_P(EveryTechnique, GivesAVisibilityWhateverItReads) {
     for (double channel : channels) RC_ASSERT(std::isfinite(channel));
     const double receiver = draws::receiverFor(place.region);
     const double visibility = technique->visibility({channels, place.region}, receiver);
-    RC_ASSERT(visibility >= 0.0 && visibility <= 1.0);  // false for NaN
+    RC_ASSERT(visibility >= 0.0 && visibility <= 1.0);  // this is false for a NaN
   });
 }
 
-// A normalised format stores what lies between low and high: beyond it values would be cut.
+// A normalised format stores values between low and high: others would be cut.
 TEST_P(EveryTechnique, EncodesIntoTheRangesOfItsChannels) {
   if (!make()->refusal(StorageFormat::Unorm16).empty()) {
     EXPECT_FALSE(make()->refusal(StorageFormat::Unorm8).empty());
@@ -57,8 +57,8 @@ TEST_P(EveryTechnique, EncodesIntoTheRangesOfItsChannels) {
   });
 }
 
-// The farther the receiver, the darker. Not so where layers take turns, where a series rings, and
-// for the moment bound, whose bias is not monotone.
+// The farther the receiver, the darker it is. This does not hold where layers take turns, where a
+// series rings, and for the moment bound, whose bias is not monotone.
 TEST_P(EveryTechnique, DarkensWithTheReceiversDepth) {
   if (isAnyOf({"lvsm", "layered-power-cdf", "csm", "msm"})) return;
   // Warped depth g is right to a few ε; the bound's slope in it is at most 0.65/σmin, where
@@ -114,7 +114,7 @@ TEST_P(EveryTechnique, IsCopiedWithItsParameters) {
     const double receiver = draws::receiverFor(place.region);
     const double visibility = draws::visibilityOf(*technique, place.region, receiver);
     RC_ASSERT(draws::visibilityOf(*copy, place.region, receiver) == visibility);
-    draws::parametersOf(*copy);  // which are its own
+    draws::parametersOf(*copy);  // parameters of the copy's own
     RC_ASSERT(draws::visibilityOf(*technique, place.region, receiver) == visibility);
   });
 }
@@ -154,7 +154,8 @@ TEST_P(EveryTechnique, DescribesItself) {
     EXPECT_NE(technique->page().find(section), std::string_view::npos) << section;
 }
 
-// Every uniform of the shader follows from a parameter, or the technique derives it, in its type.
+// Every uniform of the shader belongs to a parameter, or the technique derives it, with the same
+// type.
 TEST_P(EveryTechnique, SetsEveryUniformOfItsShader) {
   const auto technique = make();
   std::set<std::string> given;

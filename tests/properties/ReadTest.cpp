@@ -1,4 +1,4 @@
-// What holds for every way to read a map, whatever is on the map.
+// Properties of every way to read a map, whatever the map holds.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -23,7 +23,7 @@ std::map<std::pair<int, int>, double> weightsByTexel(const Region& region) {
   return weights;
 }
 
-// Of two sums of the same weights in different orders.
+// Asserts that two regions weigh each texel alike; the weights were added in different orders.
 void assertAlike(const Region& a, const Region& b) {
   const auto one = weightsByTexel(a), other = weightsByTexel(b);
   for (const auto& [texel, weight] : one)
@@ -47,7 +47,7 @@ TEST_P(EveryFilter, WeighsTexelsOfTheMapByWeightsThatSumToOne) {
       RC_ASSERT(texel.weight >= 0.0);
       sum += texel.weight;
     }
-    RC_ASSERT(std::abs(sum - 1.0) < 1e-12);  // of at most 10⁴ roundings
+    RC_ASSERT(std::abs(sum - 1.0) < 1e-12);  // the sum of at most 10⁴ rounded weights
     RC_ASSERT(region.texels.size() % map.channels() == 0u);
   });
 }
@@ -103,7 +103,7 @@ TEST_P(EveryFilter, LeavesVarianceAnUpperBound) {
     const Region region = regionOf(map, kernel, read);
     const double receiver = draws::receiverFor(region);
     const auto channels = readChannels(map, *vsm, kernel, StorageFormat::Double, read);
-    // Moments right to 1e-12, over the smallest variance of 1e-6.
+    // Moments are exact to 1e-12; the smallest variance of 1e-6 divides this.
     RC_ASSERT(vsm->visibility({channels, region}, receiver) >=
               referenceVisibility(region, receiver) - 1e-6);
   });

@@ -1,4 +1,4 @@
-// A trace ends in the visibility, and blames the step that constructed regions were made for.
+// A trace ends in the visibility, and blames the step for which a region was constructed.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -101,7 +101,7 @@ TEST(TraceCause, Reduction) {
 TEST(TraceCause, HalfFloatsLoseTheVariance) {
   vsm::Vsm technique;
   technique.values.minVariance = 0.0;
-  // The spread, 0.005, is that of depths whose squares half floats hold to 0.00024.
+  // The spread is 0.005; half floats hold the squares of these depths to 0.00024.
   const Region region = draws::regionOf({0.9, 0.91}, {0.5, 0.5});
   expectCause(traceOf(technique, region, 0.91, StorageFormat::Half), ErrorCause::StoredPrecision,
               "σ²");
@@ -114,7 +114,7 @@ TEST(TraceCause, AnExponentThatHalfFloatsCut) {
       traceOf(technique, draws::regionOf({0.2, 0.6}, {0.5, 0.5}), 0.7, StorageFormat::Half);
   expectCause(trace, ErrorCause::ExponentLimit, "c₊");
   EXPECT_NE(trace.sentence.find("c₊ ≤ 11 where 40"), std::string::npos) << trace.sentence;
-  technique.values.positiveExponent = 5.0;  // asked for by hand: nothing cuts it
+  technique.values.positiveExponent = 5.0;  // this exponent was asked for: nothing cuts it
   EXPECT_NE(traceOf(technique, draws::regionOf({0.2, 0.6}, {0.5, 0.5}), 0.7).cause,
             ErrorCause::ExponentLimit);
 }
