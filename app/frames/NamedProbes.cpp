@@ -55,7 +55,7 @@ Json namedToJson(const Json& source, const std::vector<NamedResult>& results) {
 
 std::string namedText(const std::vector<NamedResult>& results) {
   const std::vector<std::string> techniques = techniquesOf(results);
-  TableRow heading{"PROBE", "RECEIVER", "TRUTH"};
+  TableRow heading{"PROBE", "RECEIVER", "REFERENCE"};
   heading.insert(heading.end(), techniques.begin(), techniques.end());
   std::vector<TableRow> rows{heading};
   std::string reasons;

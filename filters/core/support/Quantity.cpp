@@ -11,7 +11,7 @@ namespace {
 
 // The entries stand in the order of the enumeration.
 constexpr QuantityInfo infos[] = {
-    {Quantity::Reference, "reference", "the truth, exact percentage-closer filtering"},
+    {Quantity::Reference, "reference", "exact percentage-closer filtering"},
     {Quantity::Receiver, "receiver", "the receiver's depth"},
     {Quantity::Mean, "mean", "mean of the region's depths"},
     {Quantity::Variance, "variance", "variance of the region's depths"},
@@ -19,7 +19,7 @@ constexpr QuantityInfo infos[] = {
     {Quantity::Maximum, "maximum", "farthest depth of the region"},
     {Quantity::Taps, "taps", "depths in the region"},
     {Quantity::Visibility, "visibility", "visibility", true},
-    {Quantity::Error, "error", "visibility minus truth", true},
+    {Quantity::Error, "error", "visibility minus reference", true},
     {Quantity::Channels, "channels", "numbers stored per texel", true},
     {Quantity::Rmse, "rmse", "root mean square error of the frame", true, true},
     {Quantity::Bleeding, "bleeding", "mean light bleeding of the frame", true, true},
