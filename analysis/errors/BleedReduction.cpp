@@ -54,15 +54,13 @@ double smallestReduction(double bound, double reference) {
 }
 
 std::optional<double> largestBleedReduction(const Technique& technique) {
-  const std::unique_ptr<Technique> copy = technique.clone();
-  for (const Parameter& parameter : copy->parameters())
+  for (const ParameterView& parameter : technique.parameters())
     if (parameter.name == bleedReductionName) return parameter.high;
   return std::nullopt;
 }
 
 double bleedReduction(const Technique& technique) {
-  const std::unique_ptr<Technique> copy = technique.clone();
-  for (const Parameter& parameter : copy->parameters())
+  for (const ParameterView& parameter : technique.parameters())
     if (parameter.name == bleedReductionName) return std::get<double>(parameter.get());
   return 0.0;
 }

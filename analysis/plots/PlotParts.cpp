@@ -76,8 +76,7 @@ const TechniqueResult* resultNamed(const Probe& probe, std::string_view id) {
 }
 
 double parameterOf(const Technique& technique, std::string_view name, double otherwise) {
-  const std::unique_ptr<Technique> copy = technique.clone();
-  for (const Parameter& parameter : copy->parameters()) {
+  for (const ParameterView& parameter : technique.parameters()) {
     if (parameter.name != name) continue;
     const ParameterValue value = parameter.get();
     if (const double* real = std::get_if<double>(&value)) return *real;

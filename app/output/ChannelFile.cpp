@@ -33,8 +33,7 @@ void ChannelFile::addTechnique(const Technique& technique, const Image<float>& c
 }
 
 void ChannelFile::addParameters(const Technique& technique) {
-  const std::unique_ptr<Technique> copy = technique.clone();
-  for (const Parameter& parameter : copy->parameters())
+  for (const ParameterView& parameter : technique.parameters())
     attributes_[std::string(technique.info().id) + "." + std::string(parameter.name)] =
         parameter.text();
 }

@@ -91,8 +91,7 @@ Json decompositionToJson(const ErrorSums& sums) {
 
 Json parametersOf(const Technique& technique) {
   Json object = Json::object();
-  const std::unique_ptr<Technique> copy = technique.clone();
-  for (const Parameter& parameter : copy->parameters())
+  for (const ParameterView& parameter : technique.parameters())
     object[std::string(parameter.name)] = toJson(parameter.get());
   return object;
 }
@@ -154,12 +153,12 @@ Json compareToJson(const std::vector<MetricsRow>& rows, std::string_view referen
           {"techniques", techniques}};
 }
 
-Json techniqueToJson(Technique& technique) {
+Json techniqueToJson(const Technique& technique) {
   const TechniqueInfo& info = technique.info();
   Json channels = Json::array(), parameters = Json::array();
   for (const Channel& channel : technique.channels())
     channels.push_back({{"name", channel.name}, {"reduction", nameOf(channel.reduction)}});
-  for (const Parameter& parameter : technique.parameters()) {
+  for (const ParameterView& parameter : technique.parameters()) {
     Json row = {{"name", parameter.name}, {"symbol", parameter.symbol}, {"unit", parameter.unit}};
     if (parameter.choices.empty())
       row["range"] = {parameter.low, parameter.high};

@@ -56,7 +56,7 @@ struct MetricsRow {
 Json compareToJson(const std::vector<MetricsRow>& rows, std::string_view reference = "pcf");
 
 // The entry of one technique or scene in its catalogue.
-Json techniqueToJson(Technique& technique);
+Json techniqueToJson(const Technique& technique);
 Json sceneToJson(const SceneInfo& scene);
 
 }  // namespace umbra

@@ -36,8 +36,7 @@ std::vector<double> uniformSplits(std::size_t count) {
 }
 
 LayerParameters layerParametersOf(const Technique& technique) {
-  const std::unique_ptr<Technique> copy = technique.clone();
-  const std::vector<Parameter> parameters = copy->parameters();
+  const std::vector<ParameterView> parameters = technique.parameters();
   const auto value = [&](std::string_view name) {
     return parameterNamed(parameters, name, technique.info().id).get();
   };

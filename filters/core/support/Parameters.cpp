@@ -76,7 +76,7 @@ void Parameter::setFromText(std::string_view text, std::string_view where) const
   set(int(number), where);
 }
 
-std::string Parameter::text() const {
+std::string ParameterView::text() const {
   return toText(get());
 }
 
@@ -93,10 +93,13 @@ std::string toText(const ParameterValue& value) {
   return joined(parts, ":");
 }
 
-const Parameter& parameterNamed(std::span<const Parameter> parameters, std::string_view name,
-                                std::string_view where) {
+namespace {
+
+template <class Kind>
+const Kind& findNamed(std::span<const Kind> parameters, std::string_view name,
+                      std::string_view where) {
   std::vector<std::string> names;
-  for (const Parameter& parameter : parameters) {
+  for (const Kind& parameter : parameters) {
     if (parameter.name == name) return parameter;
     names.emplace_back(parameter.name);
   }
@@ -109,6 +112,18 @@ const Parameter& parameterNamed(std::span<const Parameter> parameters, std::stri
   else
     message += "; this technique has none";
   throw Error(ErrorKind::BadInput, message);
+}
+
+}  // namespace
+
+const Parameter& parameterNamed(std::span<const Parameter> parameters, std::string_view name,
+                                std::string_view where) {
+  return findNamed(parameters, name, where);
+}
+
+const ParameterView& parameterNamed(std::span<const ParameterView> parameters,
+                                    std::string_view name, std::string_view where) {
+  return findNamed(parameters, name, where);
 }
 
 }  // namespace umbra

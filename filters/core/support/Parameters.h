@@ -43,15 +43,21 @@ struct Field<P, std::vector<double>> {
   std::span<const std::string_view> choices = {};
 };
 
-// A field without its types: what forms, options, files and documents are made of.
-struct Parameter {
+// A field without its types, to be read: what documents, labels and comparisons are made of.
+struct ParameterView {
   std::string_view name, symbol, unit, doc;
   double low = 0.0, high = 1.0;
   Scale scale = Scale::Linear;
   std::span<const std::string_view> choices;
   ParameterValue defaultValue;
   std::function<ParameterValue()> get;
-  // Takes a value that passed `checked`.
+
+  std::string text() const;
+};
+
+// The same, to be set as well: what forms, options and files are made of.
+struct Parameter : ParameterView {
+  // Stores a value that `set` has checked.
   std::function<void(const ParameterValue&)> put;
 
   // Checks type and range, then stores. `where` names the origin for the error message: an
@@ -59,7 +65,6 @@ struct Parameter {
   void set(const ParameterValue& value, std::string_view where) const;
   // The same for a text: "1e-6", "lloyd", "0.2:0.5:0.7".
   void setFromText(std::string_view text, std::string_view where) const;
-  std::string text() const;
 };
 
 std::string toText(const ParameterValue& value);
@@ -67,6 +72,8 @@ std::string toText(const ParameterValue& value);
 // The parameter of that name. Throws BadInput, with the nearest name as a suggestion.
 const Parameter& parameterNamed(std::span<const Parameter> parameters, std::string_view name,
                                 std::string_view where);
+const ParameterView& parameterNamed(std::span<const ParameterView> parameters,
+                                    std::string_view name, std::string_view where);
 
 namespace detail {
 
@@ -89,17 +96,25 @@ void fromValue(T& member, const ParameterValue& value, std::span<const std::stri
 }
 
 template <class P, class T>
-Parameter bindField(P& values, const Field<P, T>& field) {
-  Parameter parameter{field.name, field.symbol, field.unit, field.doc};
+ParameterView viewField(const P& values, const Field<P, T>& field) {
+  ParameterView parameter{field.name, field.symbol, field.unit, field.doc};
   parameter.low = double(field.low);
   parameter.high = double(field.high);
   parameter.scale = field.scale;
   parameter.choices = field.choices;
   static const P defaults{};
   parameter.defaultValue = toValue(defaults.*field.member, field.choices);
-  T* member = &(values.*field.member);
+  const T* member = &(values.*field.member);
   auto choices = field.choices;
   parameter.get = [member, choices] { return toValue(*member, choices); };
+  return parameter;
+}
+
+template <class P, class T>
+Parameter bindField(P& values, const Field<P, T>& field) {
+  Parameter parameter{viewField<P>(values, field), {}};
+  T* member = &(values.*field.member);
+  auto choices = field.choices;
   parameter.put = [member, choices](const ParameterValue& v) { fromValue(*member, v, choices); };
   return parameter;
 }
@@ -113,6 +128,16 @@ std::vector<Parameter> bindFields(P& values, const std::tuple<Field<P, T>...>& f
   return std::apply(
       [&](const auto&... field) {
         return std::vector<Parameter>{detail::bindField(values, field)...};
+      },
+      fields);
+}
+
+// The same, to be read only.
+template <class P, class... T>
+std::vector<ParameterView> viewFields(const P& values, const std::tuple<Field<P, T>...>& fields) {
+  return std::apply(
+      [&](const auto&... field) {
+        return std::vector<ParameterView>{detail::viewField<P>(values, field)...};
       },
       fields);
 }

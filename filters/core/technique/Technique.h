@@ -81,6 +81,7 @@ class Technique {
   virtual std::vector<Channel> channels() const = 0;
   // Bound to this instance: they are invalid once it is gone.
   virtual std::vector<Parameter> parameters() = 0;
+  virtual std::vector<ParameterView> parameters() const = 0;
 
   // Sets what depends on the data, such as LVSM's splits. It is called once per depth map.
   virtual void adapt(const DepthMap&) {}
@@ -121,6 +122,7 @@ class TechniqueWith : public Technique {
     return std::make_unique<Derived>(static_cast<const Derived&>(*this));
   }
   std::vector<Parameter> parameters() override { return bindFields(values, P::fields()); }
+  std::vector<ParameterView> parameters() const override { return viewFields(values, P::fields()); }
 
   P values;
 };
@@ -128,15 +130,6 @@ class TechniqueWith : public Technique {
 // For techniques with nothing to set.
 struct NoParameters {
   static constexpr std::tuple<> fields() { return {}; }
-};
-
-template <class Derived>
-class TechniqueWith<Derived, NoParameters> : public Technique {
- public:
-  std::unique_ptr<Technique> clone() const override {
-    return std::make_unique<Derived>(static_cast<const Derived&>(*this));
-  }
-  std::vector<Parameter> parameters() override { return {}; }
 };
 
 }  // namespace umbra

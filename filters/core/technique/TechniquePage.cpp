@@ -15,11 +15,11 @@ std::string cell(std::string_view text) {
   return escaped;
 }
 
-std::string tableOf(std::string_view id, const std::vector<Parameter>& parameters) {
+std::string tableOf(std::string_view id, const std::vector<ParameterView>& parameters) {
   std::string table =
       "**Parameters**\n\n| name | symbol | unit | range | default | meaning |\n"
       "|---|---|---|---|---|---|\n";
-  for (const Parameter& p : parameters) {
+  for (const ParameterView& p : parameters) {
     table += "| `" + std::string(id) + "." + std::string(p.name) + "` |";
     for (const std::string& text : {std::string(p.symbol), std::string(p.unit), rangeText(p),
                                     toText(p.defaultValue), std::string(p.doc)})
@@ -31,16 +31,16 @@ std::string tableOf(std::string_view id, const std::vector<Parameter>& parameter
 
 }  // namespace
 
-std::string rangeText(const Parameter& parameter) {
+std::string rangeText(const ParameterView& parameter) {
   if (parameter.choices.empty())
     return shortNumber(parameter.low) + " … " + shortNumber(parameter.high);
   const std::vector<std::string> names(parameter.choices.begin(), parameter.choices.end());
   return joined(names, "|");
 }
 
-std::string pageOf(Technique& technique) {
+std::string pageOf(const Technique& technique) {
   std::string page(technique.page());
-  const std::vector<Parameter> parameters = technique.parameters();
+  const std::vector<ParameterView> parameters = technique.parameters();
   if (parameters.empty()) return page;
   const std::size_t source = std::min(page.rfind("Source:"), page.size());
   return page.insert(source, tableOf(technique.info().id, parameters));

@@ -11,10 +11,10 @@ namespace umbra {
 
 // Markdown: Technique::page() with a table of the parameters, made from their fields, before its
 // sources.
-std::string pageOf(Technique& technique);
+std::string pageOf(const Technique& technique);
 
 // What a parameter may be: "0 … 1", "uniform|manual|lloyd".
-std::string rangeText(const Parameter& parameter);
+std::string rangeText(const ParameterView& parameter);
 
 // The names of the pictures that a page shows, in their order: ![what is seen](Vsm.png).
 std::vector<std::string> pictureNames(std::string_view page);

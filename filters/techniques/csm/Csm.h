@@ -34,6 +34,7 @@ struct CsmParameters {
 class Csm final : public TechniqueWith<Csm, CsmParameters> {
  public:
   const TechniqueInfo& info() const override;
+  using TechniqueWith::parameters;
   std::vector<Parameter> parameters() override;
   // S01 C01 S02 C02 …, each in [−1, 1].
   std::vector<Channel> channels() const override;
