@@ -3,6 +3,7 @@
 
 #include "filters/core/technique/Technique.h"
 #include "filters/techniques/evsm/ExponentLimit.h"
+#include "filters/techniques/vsm/BoundFields.h"
 
 namespace umbra::esm {
 
@@ -16,9 +17,7 @@ struct EsmParameters {
         Field<P, double>{&P::exponent, "exponent", "c", "1/depth", 0.1, 400.0,
                          "Steepness of the warp; larger bleeds less. Float holds 176, half 22.",
                          Scale::Logarithmic},
-        Field<P, double>{
-            &P::bleedReduction, "bleed-reduction", "a", "", 0.0, 0.99,
-            "Visibilities up to a become 0, the rest is stretched; darkens penumbrae."},
+        bleedReductionField<P>(),
     };
   }
 };

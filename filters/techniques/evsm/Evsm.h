@@ -4,6 +4,7 @@
 
 #include "filters/core/technique/Technique.h"
 #include "filters/techniques/evsm/ExponentLimit.h"
+#include "filters/techniques/vsm/BoundFields.h"
 
 namespace umbra::evsm {
 
@@ -18,12 +19,9 @@ struct Evsm2Parameters {
         Field<P, double>{&P::positiveExponent, "positive-exponent", "c₊", "1/depth", 0.1, 200.0,
                          "Steepness of the warp; larger bleeds less. Float holds 88, half 11.",
                          Scale::Logarithmic},
-        Field<P, double>{&P::minVariance, "min-variance", "σ²min", "depth²", 0.0, 1e-2,
-                         "Smallest variance that a bound uses, carried into the warp by its slope.",
-                         Scale::Logarithmic},
-        Field<P, double>{
-            &P::bleedReduction, "bleed-reduction", "a", "", 0.0, 0.99,
-            "Visibilities up to a become 0, the rest is stretched; darkens penumbrae."},
+        minVarianceField<P>(
+            "Smallest variance that a bound uses, carried into the warp by its slope."),
+        bleedReductionField<P>(),
     };
   }
 };
@@ -43,13 +41,9 @@ struct Evsm4Parameters {
         Field<P, double>{&P::negativeExponent, "negative-exponent", "c₋", "1/depth", 0.1, 200.0,
                          "Steepness of the warp that draws it to the receiver instead.",
                          Scale::Logarithmic},
-        Field<P, double>{
-            &P::minVariance, "min-variance", "σ²min", "depth²", 0.0, 1e-2,
-            "Smallest variance that a bound uses, carried into each warp by its slope.",
-            Scale::Logarithmic},
-        Field<P, double>{
-            &P::bleedReduction, "bleed-reduction", "a", "", 0.0, 0.99,
-            "Visibilities up to a become 0, the rest is stretched; darkens penumbrae."},
+        minVarianceField<P>(
+            "Smallest variance that a bound uses, carried into each warp by its slope."),
+        bleedReductionField<P>(),
     };
   }
 };

@@ -25,10 +25,6 @@ const TechniqueInfo& LayeredPowerCdf::info() const {
   return info;
 }
 
-std::vector<Parameter> LayeredPowerCdf::parameters() {
-  return bindLayerParameters(TechniqueWith::parameters(), values, "layered-power-cdf");
-}
-
 std::vector<Channel> LayeredPowerCdf::channels() const {
   std::vector<Channel> channels;
   for (int i = 1; i <= layering().count; ++i) {
@@ -39,13 +35,6 @@ std::vector<Channel> LayeredPowerCdf::channels() const {
     channels.push_back({layer + "max", Reduction::Max});
   }
   return channels;
-}
-
-void LayeredPowerCdf::adapt(const DepthMap& map) {
-  setAdaptedSplits(relaxedSplits(values, map));
-}
-void LayeredPowerCdf::setAdaptedSplits(std::span<const double> splits) {
-  adaptedSplits_ = keptApart(splits);
 }
 
 void LayeredPowerCdf::encode(double z, std::span<double> channels) const {
@@ -62,9 +51,6 @@ std::string_view LayeredPowerCdf::glsl() const {
   static const std::string text =
       std::string(Layers_glsl) + PowerVisibility_glsl + LayeredPowerCdf_glsl;
   return text;
-}
-std::vector<Uniform> LayeredPowerCdf::derivedUniforms() const {
-  return layerUniforms(layering());
 }
 std::string_view LayeredPowerCdf::page() const {
   return LayeredPowerCdf_md;

@@ -24,10 +24,6 @@ const TechniqueInfo& Lvsm::info() const {
   return info;
 }
 
-std::vector<Parameter> Lvsm::parameters() {
-  return bindLayerParameters(TechniqueWith::parameters(), values, "lvsm");
-}
-
 std::vector<Channel> Lvsm::channels() const {
   std::vector<Channel> channels;
   for (int i = 1; i <= layering().count; ++i) {
@@ -37,13 +33,6 @@ std::vector<Channel> Lvsm::channels() const {
     channels.push_back({layer + "M2"});
   }
   return channels;
-}
-
-void Lvsm::adapt(const DepthMap& map) {
-  setAdaptedSplits(relaxedSplits(values, map));
-}
-void Lvsm::setAdaptedSplits(std::span<const double> splits) {
-  adaptedSplits_ = keptApart(splits);
 }
 
 void Lvsm::encode(double z, std::span<double> channels) const {
@@ -63,9 +52,6 @@ double Lvsm::visibility(const Fetch& fetch, double receiver) const {
 std::string_view Lvsm::glsl() const {
   static const std::string text = std::string(Layers_glsl) + Lvsm_glsl;
   return text;
-}
-std::vector<Uniform> Lvsm::derivedUniforms() const {
-  return layerUniforms(layering());
 }
 std::string_view Lvsm::page() const {
   return Lvsm_md;

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "filters/core/technique/Technique.h"
+#include "filters/techniques/vsm/BoundFields.h"
 
 namespace umbra::msm {
 
@@ -22,9 +23,7 @@ struct MsmParameters {
         Field<P, double>{&P::momentBias, "moment-bias", "α", "", 1e-9, 1e-1,
                          "Moves the moments towards ½, so that rounded ones still fit a depth.",
                          Scale::Logarithmic},
-        Field<P, double>{
-            &P::bleedReduction, "bleed-reduction", "a", "", 0.0, 0.99,
-            "Visibilities up to a become 0, the rest is stretched; darkens penumbrae."},
+        bleedReductionField<P>(),
         Field<P, Basis>{&P::basis, "basis", "", "", Basis::Moments, Basis::Quantised,
                         "Stores the moments, or mixtures that fill a 16-bit normalised range.",
                         Scale::Linear, basisNames},

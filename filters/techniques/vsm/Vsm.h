@@ -2,6 +2,7 @@
 #pragma once
 
 #include "filters/core/technique/Technique.h"
+#include "filters/techniques/vsm/BoundFields.h"
 
 namespace umbra::vsm {
 
@@ -12,12 +13,9 @@ struct VsmParameters {
   static constexpr auto fields() {
     using P = VsmParameters;
     return std::tuple{
-        Field<P, double>{&P::minVariance, "min-variance", "σ²min", "depth²", 0.0, 1e-2,
-                         "Smallest variance that the bound uses; hides rounding, blurs contacts.",
-                         Scale::Logarithmic},
-        Field<P, double>{
-            &P::bleedReduction, "bleed-reduction", "a", "", 0.0, 0.99,
-            "Visibilities up to a become 0, the rest is stretched; darkens penumbrae."},
+        minVarianceField<P>(
+            "Smallest variance that the bound uses; hides rounding, blurs contacts."),
+        bleedReductionField<P>(),
     };
   }
 };
