@@ -6,22 +6,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "filters/core/prefilter/Prefilter.h"
+#include "filters/core/prefilter/TestRegions.h"
 
 namespace umbra {
 namespace {
 
-Region oneDepth(double z) {
-  Region region;
-  region.texels = {{0, 0, z, 1.0}};
-  region.nearestDepth = z;
-  return region;
-}
-
 double visibilityOf(const csm::Csm& technique, double z, double receiver) {
-  const Region region = oneDepth(z);
-  const auto channels = prefilteredRegion(region, technique, StorageFormat::Double);
-  return technique.visibility({channels, region}, receiver);
+  return test::visibilityOf(technique, test::regionOf({z}), receiver);
 }
 
 TEST(Csm, OneTermReachesOneWhereItsSineIsAQuarterPi) {

@@ -4,21 +4,15 @@
 
 #include <cmath>
 
-#include "filters/core/prefilter/Prefilter.h"
+#include "filters/core/prefilter/TestRegions.h"
 
 namespace umbra {
 namespace {
 
-double visibilityOf(const esm::Esm& technique, const Region& region, double receiver) {
-  const auto channels = prefilteredRegion(region, technique, StorageFormat::Double);
-  return technique.visibility({channels, region}, receiver);
-}
+using test::visibilityOf;
 
 Region twoDepths(double a, double b, double shareOfB) {
-  Region region;
-  region.texels = {{0, 0, a, 1.0 - shareOfB}, {1, 0, b, shareOfB}};
-  region.nearestDepth = a;
-  return region;
+  return test::regionOf({a, b}, {1.0 - shareOfB, shareOfB});
 }
 
 // Behind a single depth the estimate is e^{−c·distance}.

@@ -2,23 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include "filters/core/prefilter/Prefilter.h"
+#include "filters/core/prefilter/TestRegions.h"
 #include "filters/techniques/power_cdf/PowerCdf.h"
 
 namespace umbra {
 namespace {
 
-Region regionOf(std::vector<double> depths) {
-  Region region;
-  for (double depth : depths) region.texels.push_back({0, 0, depth, 1.0 / depths.size()});
-  region.nearestDepth = depths.front();
-  return region;
-}
-
-double visibilityOf(const Technique& technique, const Region& region, double receiver) {
-  const auto channels = prefilteredRegion(region, technique, StorageFormat::Double);
-  return technique.visibility({channels, region}, receiver);
-}
+using test::regionOf;
+using test::visibilityOf;
 
 TEST(LayeredPowerCdf, WithOneLayerIsThePowerCdf) {
   layered_power_cdf::LayeredPowerCdf technique;

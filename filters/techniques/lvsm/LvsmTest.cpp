@@ -2,24 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include "filters/core/prefilter/Prefilter.h"
+#include "filters/core/prefilter/TestRegions.h"
 #include "filters/core/support/Error.h"
 #include "filters/techniques/vsm/Vsm.h"
 
 namespace umbra {
 namespace {
 
-Region regionOf(std::vector<double> depths) {
-  Region region;
-  for (double depth : depths) region.texels.push_back({0, 0, depth, 1.0 / depths.size()});
-  region.nearestDepth = depths.front();
-  return region;
-}
-
-double visibilityOf(const Technique& technique, const Region& region, double receiver) {
-  const auto channels = prefilteredRegion(region, technique, StorageFormat::Double);
-  return technique.visibility({channels, region}, receiver);
-}
+using test::regionOf;
+using test::visibilityOf;
 
 void set(Technique& technique, std::string_view name, std::string_view text) {
   parameterNamed(technique.parameters(), name, "test").setFromText(text, "test");

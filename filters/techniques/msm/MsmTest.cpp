@@ -4,25 +4,15 @@
 
 #include <cmath>
 
-#include "filters/core/prefilter/Prefilter.h"
+#include "filters/core/prefilter/TestRegions.h"
 #include "filters/techniques/msm/Hamburger.h"
 #include "filters/techniques/vsm/Vsm.h"
 
 namespace umbra {
 namespace {
 
-Region regionOf(std::vector<double> depths, std::vector<double> weights) {
-  Region region;
-  for (std::size_t i = 0; i < depths.size(); ++i)
-    region.texels.push_back({int(i), 0, depths[i], weights[i]});
-  region.nearestDepth = depths.front();
-  return region;
-}
-
-double visibilityOf(const Technique& technique, const Region& region, double receiver) {
-  const auto channels = prefilteredRegion(region, technique, StorageFormat::Double);
-  return technique.visibility({channels, region}, receiver);
-}
+using test::regionOf;
+using test::visibilityOf;
 
 // A biased two-depth region has depths 0, a, b, 1. With the receiver on b the extreme distribution
 // may be that one with 0 and a drawn together; its error vanishes with the bias.
