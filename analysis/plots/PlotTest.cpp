@@ -10,6 +10,7 @@
 #include "analysis/plots/ProbePlots.h"
 #include "analysis/probe/TestMaps.h"
 #include "filters/core/support/Error.h"
+#include "filters/core/support/TemporaryFolder.h"
 #include "filters/core/support/Text.h"
 
 namespace umbra {
@@ -64,9 +65,7 @@ TEST(Csv, QuotesWhatNeedsIt) {
 }
 
 TEST(Csv, RefusesAFolderThatIsAFile) {
-  const auto folder = std::filesystem::temp_directory_path() / "umbra-csv-test";
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
+  const TemporaryFolder folder;
   std::ofstream(folder / "file") << "here";
   try {
     writeCsv(Plot{}, folder / "file" / "plot.csv");
@@ -75,7 +74,6 @@ TEST(Csv, RefusesAFolderThatIsAFile) {
     EXPECT_EQ(error.kind(), ErrorKind::BadOutput);
     EXPECT_NE(std::string(error.what()).find("plot.csv"), std::string::npos);
   }
-  std::filesystem::remove_all(folder);
 }
 
 TEST(HistogramPlot, ShowsEveryBinAndMarksTheStatistics) {

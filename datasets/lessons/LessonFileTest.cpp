@@ -9,6 +9,7 @@
 
 #include "datasets/lessons/LessonCatalogue.h"
 #include "filters/core/support/Error.h"
+#include "filters/core/support/TemporaryFolder.h"
 
 namespace umbra {
 namespace {
@@ -104,10 +105,7 @@ TEST(LessonFile, NamesFileAndKeyOfWhatIsWrong) {
 }
 
 TEST(LessonFile, MeshesAreRelativeToTheFile) {
-  const auto folder =
-      std::filesystem::temp_directory_path() /
-      ("umbra-lesson-" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()));
-  std::filesystem::create_directories(folder);
+  const TemporaryFolder folder;
   const auto file = folder / "own.json";
   Json json = sample();
   json["steps"][0]["session"]["source"] = {{"mesh", "models/fan.ply"}};
@@ -117,7 +115,6 @@ TEST(LessonFile, MeshesAreRelativeToTheFile) {
             (folder / "models/fan.ply").string());
   std::ofstream(file) << session().dump();
   EXPECT_FALSE(looksLikeLesson(file));
-  std::filesystem::remove_all(folder);
 }
 
 TEST(LessonCatalogue, HasTenLessonsThatAskAndClaim) {

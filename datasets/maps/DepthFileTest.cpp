@@ -13,7 +13,6 @@
 #include <ImfStringAttribute.h>
 #include <ImfTiledOutputFile.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <fstream>
@@ -22,6 +21,7 @@
 
 #include "filters/core/settings/StorageFormat.h"
 #include "filters/core/support/Error.h"
+#include "filters/core/support/TemporaryFolder.h"
 
 namespace umbra {
 namespace {
@@ -30,9 +30,6 @@ namespace fs = std::filesystem;
 
 class DepthFile : public testing::Test {
  protected:
-  DepthFile() { fs::create_directories(folder_); }
-  ~DepthFile() override { fs::remove_all(folder_); }
-
   fs::path path(const std::string& name) const { return folder_ / name; }
 
   // The message of the BadInput that reading must throw.
@@ -51,9 +48,7 @@ class DepthFile : public testing::Test {
   }
 
  private:
-  const fs::path folder_ =
-      fs::temp_directory_path() / ("umbra-depth-" + std::to_string(getpid()) + "-" +
-                                   testing::UnitTest::GetInstance()->current_test_info()->name());
+  const TemporaryFolder folder_;
 };
 
 Image<float> noise(int width, int height) {

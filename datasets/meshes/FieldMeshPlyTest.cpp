@@ -1,7 +1,6 @@
 #include "datasets/meshes/FieldMeshPly.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
 
@@ -11,6 +10,7 @@
 #include "datasets/meshes/FieldMeshSample.h"
 #include "datasets/meshes/MeshFile.h"
 #include "filters/core/support/Error.h"
+#include "filters/core/support/TemporaryFolder.h"
 
 namespace umbra {
 namespace {
@@ -19,11 +19,8 @@ namespace fs = std::filesystem;
 
 class FieldMeshPly : public testing::Test {
  protected:
-  FieldMeshPly() { fs::create_directories(folder); }
-  ~FieldMeshPly() override { fs::remove_all(folder); }
-
-  const fs::path folder =
-      fs::temp_directory_path() / ("umbrascope-field-mesh-" + std::to_string(getpid()));
+  const TemporaryFolder temporary;
+  const fs::path& folder = temporary.path();
   const fs::path file = folder / "mesh.ply";
   FieldMesh mesh = sampleFieldMesh();
 };

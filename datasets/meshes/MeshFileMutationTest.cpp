@@ -9,6 +9,7 @@
 #include "datasets/scenes/MeshBuilder.h"
 #include "datasets/scenes/MeshScene.h"
 #include "filters/core/support/Error.h"
+#include "filters/core/support/TemporaryFolder.h"
 
 namespace umbra {
 namespace {
@@ -77,11 +78,6 @@ std::string mutated(std::string text, Random& random) {
 
 class MeshFileMutation : public testing::TestWithParam<Sample> {
  protected:
-  void SetUp() override {
-    file_ = fs::temp_directory_path() / ("umbra-mutated-" + GetParam().name + GetParam().extension);
-  }
-  void TearDown() override { fs::remove(file_); }
-
   // Returns whether the file was read; a mesh that was read must be sound.
   bool isRead(const std::string& content) {
     std::ofstream(file_, std::ios::binary) << content;
@@ -112,7 +108,8 @@ class MeshFileMutation : public testing::TestWithParam<Sample> {
       for (std::uint32_t v : triangle) ASSERT_LT(v, mesh.positions.size());
   }
 
-  fs::path file_;
+  const TemporaryFolder folder_;
+  const fs::path file_ = folder_ / ("mutated" + std::string(GetParam().extension));
 };
 
 TEST_P(MeshFileMutation, IsReadSoundlyOrRefused) {

@@ -7,6 +7,7 @@
 
 #include "datasets/meshes/MeshFileSamples.h"
 #include "filters/core/support/Error.h"
+#include "filters/core/support/TemporaryFolder.h"
 
 namespace umbra {
 namespace {
@@ -16,14 +17,6 @@ using namespace meshsamples;
 
 class MeshFile : public testing::Test {
  protected:
-  void SetUp() override {
-    const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
-    folder_ = fs::temp_directory_path() / ("umbra-mesh-" + name);
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   fs::path put(const std::string& name, const std::string& content) const {
     std::ofstream(folder_ / name, std::ios::binary) << content;
     return folder_ / name;
@@ -46,7 +39,8 @@ class MeshFile : public testing::Test {
     return "";
   }
 
-  fs::path folder_;
+  const TemporaryFolder temporary_;
+  const fs::path& folder_ = temporary_.path();
   MeshReport report_;
 };
 

@@ -11,6 +11,7 @@
 #include "datasets/meshes/MaterialFile.h"
 #include "datasets/meshes/MeshFileSamples.h"
 #include "filters/core/support/Error.h"
+#include "filters/core/support/TemporaryFolder.h"
 
 namespace umbra {
 namespace {
@@ -37,14 +38,6 @@ void writeZip(const fs::path& file, const std::map<std::string, std::string>& en
 
 class InstalledModels : public testing::Test {
  protected:
-  void SetUp() override {
-    const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
-    folder_ = fs::temp_directory_path() / ("umbra-models-" + name);
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   std::string refusal(const std::string& name) const {
     try {
       makeInstalledModel(name, folder_);
@@ -57,7 +50,8 @@ class InstalledModels : public testing::Test {
   }
   fs::path collection() const { return folder_ / "BlendSwap-CC-0.sh3f"; }
 
-  fs::path folder_;
+  const TemporaryFolder temporary_;
+  const fs::path& folder_ = temporary_.path();
 };
 
 TEST_F(InstalledModels, SayWhichPackageIsMissing) {

@@ -2,7 +2,6 @@
 #include "filters/gpu/VtpFile.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -17,6 +16,7 @@
 
 #include "datasets/meshes/FieldMeshSample.h"
 #include "filters/core/support/Error.h"
+#include "filters/core/support/TemporaryFolder.h"
 
 namespace umbra {
 namespace {
@@ -25,9 +25,6 @@ namespace fs = std::filesystem;
 
 class VtpFile : public testing::Test {
  protected:
-  VtpFile() { fs::create_directories(folder); }
-  ~VtpFile() override { fs::remove_all(folder); }
-
   static void expectField(vtkDataSetAttributes* data, const MeshField& field) {
     vtkDataArray* array = data->GetArray(field.name.c_str());
     ASSERT_TRUE(array) << field.name;
@@ -37,8 +34,8 @@ class VtpFile : public testing::Test {
       EXPECT_EQ(array->GetTuple1(vtkIdType(i)), double(field.values[i])) << field.name;
   }
 
-  const fs::path folder =
-      fs::temp_directory_path() / ("umbrascope-vtp-" + std::to_string(getpid()));
+  const TemporaryFolder temporary;
+  const fs::path& folder = temporary.path();
   const fs::path file = folder / "mesh.vtp";
   FieldMesh mesh = sampleFieldMesh();
 };
