@@ -25,7 +25,7 @@ void RendererFrame::render(const Technique& technique, ViewMode view) {
   renderer_.render();
   messages_->throwFirstError();
   if (saidSamples_ || renderer_.samples() >= settings_.map.samples) return;
-  spdlog::warn("--msaa: {} depths a texel, the driver has no {}", renderer_.samples(),
+  spdlog::warn("--msaa: {} depths a texel, the driver does not offer {}", renderer_.samples(),
                settings_.map.samples);
   saidSamples_ = true;
 }

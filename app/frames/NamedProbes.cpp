@@ -34,7 +34,7 @@ std::vector<std::string> techniquesOf(const std::vector<NamedResult>& results) {
 std::vector<NamedProbe> chosenProbes(const Session& session, const std::string& name) {
   if (session.probes.empty())
     throw Error(ErrorKind::BadCommandLine,
-                "--named: the session keeps no probes; give one that does with --session");
+                "--named: the session has no saved probes; give one that has with --session");
   if (name == "all") return session.probes;
   if (const NamedProbe* probe = probeNamed(session.probes, name)) return {*probe};
   throw Error(ErrorKind::BadCommandLine, "--named: there is no probe '" + name + "'; there are " +

@@ -215,7 +215,7 @@ TEST_F(NamedProbes, TheSameSceneOrFileNamedAgainKeepsThem) {
   const std::string again = (folder.path() / "." / "m.exr").string();
   EXPECT_EQ(probed(onFile, {"--depth", again, "--named", "Edge"}),
             probed(onFile, {"--named", "Edge"}));
-  expectError(2, "--named: the session keeps no probes",
+  expectError(2, "--named: the session has no saved probes",
               probe(onFile, {"--depth", folder.file("other.exr"), "--named", "Edge"}));
 }
 
@@ -233,10 +233,10 @@ TEST_F(NamedProbes, NamesThatThereAreNotAreRefused) {
   expectError(2, "--named: there is no probe 'Sport'; there are Spot, Bench, and all",
               probe(json, {"--named", "Sport"}));
   expectError(2, "--pixel: excludes --named", probe(json, {"--named", "Spot", "--pixel", "1,1"}));
-  expectError(2, "--named: the session keeps no probes",
+  expectError(2, "--named: the session has no saved probes",
               probe(session("two-planes", Json::array()), {"--named", "all"}));
   // Another scene has other surfaces.
-  expectError(2, "--named: the session keeps no probes",
+  expectError(2, "--named: the session has no saved probes",
               probe(json, {"--scene", "three-planes", "--named", "all"}));
 }
 

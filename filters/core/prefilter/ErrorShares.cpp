@@ -71,7 +71,7 @@ void ErrorShares::decide(std::string_view whyRight) {
       why = "nothing in the region lies before the receiver.";
     else if (occlusion_.lit.weight == 0.0)
       why = "the whole region blocks, and the estimate has fallen off behind it.";
-    trace_.sentence = "Right: " + shortNumber(visibility_) + ", exactly it is " +
+    trace_.sentence = "Right: " + shortNumber(visibility_) + ", the reference is " +
                       shortNumber(reference_) + "; " + why;
     return;
   }
@@ -89,7 +89,7 @@ void ErrorShares::decide(std::string_view whyRight) {
 std::string ErrorShares::verdict(double error, const std::string& sentence, double amount) const {
   std::string text = std::string(error > 0.0 ? "Too bright" : "Too dark") + " by " +
                      shortNumber(std::abs(error)) + " (" + shortNumber(visibility_) +
-                     ", exactly it is " + shortNumber(reference_) + "): " + sentence;
+                     ", the reference is " + shortNumber(reference_) + "): " + sentence;
   // Other causes may undo a part of this share, so that it can be larger than the error.
   if (std::abs(amount - error) > 0.05 * std::abs(error))
     text += " This makes " + shortNumber(std::abs(amount)) + " of it.";
