@@ -19,7 +19,7 @@ struct ExplainingPlot {
   bool slow = false;       // the plot may take seconds and wants a thread of its own
 };
 
-// In the order in which a list shows them.
+// They are in the order in which a list shows them.
 std::span<const ExplainingPlot> explainingPlots();
 
 struct ExplainingInput {

@@ -203,7 +203,8 @@ TEST(SurfaceErrors, OnlyWhatTheLightReachesReceives) {
   drawn.add("far", square(50.0, 0.0f));
   const SurfaceErrors errors = drawn.errors("vsm");
   const auto& objects = errors.summary.objects;
-  // Its three upper sides: half of a base of 2 by the distance of the top from that side.
+  // The area of its three upper sides; each is half of a base of 2 times the distance of the top
+  // from that base.
   EXPECT_NEAR(objects[0].area,
               0.5 * 2 * std::hypot(1.5, 1.0) + 2 * 0.5 * Vector3d(-3, -1, -1.5).norm(), 1e-5);
   EXPECT_NEAR(objects[1].area, 1.0, 1e-6);

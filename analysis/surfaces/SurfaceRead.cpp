@@ -196,7 +196,7 @@ std::variant<SurfacePoint, Unreadable> readOfSurface(const SurfaceSpot& spot,
   else if (byPixel)
     result.footprint = axisOf(dx, dy, settings);
 
-  // In a seam the receiver is one for both cascades, with the bias of the coarser.
+  // In a seam both cascades have one receiver, with the bias of the coarser one.
   const double coarsest =
       place->next > 0.0 ? std::max(own.side, frame.cascades[place->cascade + 1].side) : own.side;
   Vector2d texels = Vector2d::Constant(settings.bias.slope);

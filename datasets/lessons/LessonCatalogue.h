@@ -9,7 +9,7 @@
 
 namespace umbra {
 
-// In teaching order.
+// All lessons, in teaching order.
 std::vector<Lesson> lessonCatalogue();
 
 // The lesson of this name in the catalogue or, where `name` ends in ".json", a teacher's own file.

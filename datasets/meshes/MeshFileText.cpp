@@ -32,7 +32,8 @@ std::string_view nextWord(std::string_view& rest) {
 
 std::optional<float> realFrom(std::string_view word) {
   if (!word.empty() && word.front() == '+') word.remove_prefix(1);
-  // In double, because a float that underflows is an error to from_chars and 0 to everybody else.
+  // The number is read as a double: from_chars takes a float that underflows for an error, and
+  // everybody else for 0.
   double value = 0.0;
   const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (end != word.data() + word.size() || problem == std::errc::invalid_argument)

@@ -32,7 +32,7 @@ Scene stagedScene(std::vector<SceneObject> objects, const Stage& stage) {
   const Vector3d foot(box.center().x(), box.min().y(), box.center().z());
   Scene scene;
   for (SceneObject& object : objects) {
-    // In double: the file's unit may be anything that a float holds.
+    // The scale is a double: the file's unit may be anything that a float holds.
     for (Eigen::Vector3f& p : object.mesh.positions)
       p = (scale * (p.cast<double>() - foot)).cast<float>();
     scene.objects.push_back(std::move(object));

@@ -1,4 +1,4 @@
-// From depth maps on the GPU to a technique's prefiltered channels on the GPU.
+// Makes a technique's prefiltered channels from depth maps, both on the GPU.
 #pragma once
 
 #include <cstddef>

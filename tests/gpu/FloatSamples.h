@@ -8,11 +8,12 @@
 
 namespace umbra::test {
 
-// Rounded to single precision: both sides then find every sample nearest to the same split, and
-// their splits agree to what is left, the rounding of sums.
+// Samples rounded to single precision: both sides then find every sample nearest to the same split,
+// and their splits differ only by the rounding of sums.
 inline std::vector<WeightedSample> floatSamples(const DepthMap& map, WeightClamp clamp = {}) {
   std::vector<WeightedSample> samples = secondOccluderSamples(map, clamp);
-  // Not by casts: GCC 12 leaves out the pair of them where it takes both values at once.
+  // The values are not rounded by casts: GCC 12 leaves a pair of casts out where it takes both
+  // values at once.
   for (WeightedSample& sample : samples) {
     sample.value = stored(sample.value, StorageFormat::Float);
     sample.weight = stored(sample.weight, StorageFormat::Float);

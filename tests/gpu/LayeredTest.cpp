@@ -156,8 +156,8 @@ TEST_F(Layered, AFrameWhoseLightMovedUsesItsOwnDepths) {
   }
 }
 
-// In a window they come to rest over frames, and the copy that is given the frame's splits encodes
-// as the frame does all the while.
+// In a window the splits come to rest over frames. A copy of the technique that is given the
+// frame's splits always encodes as the frame does.
 TEST_F(Layered, InAWindowSplitsMoveFromFrameToFrame) {
   settings.map.size = 128;
   settings.kernel = {KernelShape::None, 0};

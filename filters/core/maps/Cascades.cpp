@@ -165,7 +165,7 @@ std::vector<Cascade> fitCascades(const LightFrame& light, const Camera& camera, 
     cascade.nearDistance = ends[i];
     cascade.farDistance = ends[i + 1];
     cascade.frame = light;
-    // With the seam before it, in which it is read already.
+    // The part begins with the seam before it, where this cascade is read already.
     const double begin = i == 0 ? ends[0] : cascades.back().seamDistance(map.cascades.seam);
     const Range part{begin, ends[i + 1]};
     if (count > 1) {

@@ -146,7 +146,7 @@ vec4 umbraShade(vec3 position, vec3 shadingNormal, out vec4 footprint) {
 #elif UMBRA_FILTER == 3
   footprint.xy = umbraBoxOf(dx / side, dy / side, length(position));
 #endif
-  // In a seam the receiver is one for both cascades, with the bias of the coarser.
+  // In a seam both cascades have one receiver, with the bias of the coarser one.
   vec2 reach = umbraReachOf(vec3(footprint.xy * side / coarsest, footprint.z));
   float slopeBias = dot(umbraSlopeTexels + umbraReceiverPlane * reach, coarsest * gain);
   // Written so that a NaN from an exactly edge-on plane ends at the limit too.

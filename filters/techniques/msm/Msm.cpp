@@ -13,7 +13,8 @@
 
 namespace umbra::msm {
 
-// Not marked as an upper bound: the moment bias lowers the result by up to half of itself.
+// It is not marked as an upper bound, since the moment bias lowers the result by up to half of the
+// bias.
 const TechniqueInfo& Msm::info() const {
   static constexpr TechniqueInfo info{
       .id = "msm",
