@@ -74,8 +74,8 @@ const Model* modelNamed(const std::string& name) {
   return nullptr;
 }
 
-// A mean of the model's linear colours and their sRGB values. Linear colours shown unchanged are so
-// dark that no shadow can be seen on them.
+// Lifts the linear colours of the model's makers about half of the way to sRGB values. Unchanged
+// they are so dark that no shadow can be seen on them.
 Eigen::Vector3d lifted(const Eigen::Vector3d& colour) {
   return colour.array().pow(0.65).matrix();
 }

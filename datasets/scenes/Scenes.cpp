@@ -10,9 +10,9 @@ namespace umbra::scenes {
 namespace {
 
 // A ground around a hole from `low` to `high` in x and z; it extends `reach` from the hole's
-// centre. The walls of the hole lean outwards from its upper edge by 19°: they are turned away from
-// a light that stands higher, and an object that is set into the hole touches the ground only at
-// that edge.
+// centre. Below its upper edge the hole widens, with walls that have a slope of 19°: they are
+// turned away from a light that stands higher, and an object that is set into the hole touches the
+// ground only at that edge.
 Mesh groundAbout(const Vector2d& low, const Vector2d& high, double reach, double bottom,
                  double top) {
   const double lean = (top - bottom) / std::tan(19.0 * std::numbers::pi / 180.0);
