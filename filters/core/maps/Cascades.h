@@ -15,14 +15,14 @@ struct Cascade {
   // The part of the view that it holds: distances along the camera's axis, world units. Where one
   // cascade ends the next begins. The first starts at 0 where the camera stands among the bounds.
   double nearDistance = 0.0, farDistance = 0.0;
-  // Its square window of the whole frame's map: left and top edge and side, in the whole map's
+  // Its square window of the whole frame's map: left edge, top edge and side, in the whole map's
   // (u, v). The window may reach beyond the map's edges.
   double left = 0.0, top = 0.0, side = 1.0;
   // The light's frame drawn into that window. Direction, near and far plane are the whole frame's,
   // so that depths of all cascades compare.
   LightFrame frame;
 
-  // From the whole map's (u, v) to this one's.
+  // The whole map's (u, v) in this cascade's.
   double u(double whole) const { return (whole - left) / side; }
   double v(double whole) const { return (whole - top) / side; }
   // The distance at which it begins to go over into the next one: the last `seam` part of its

@@ -12,7 +12,7 @@ namespace umbra {
 
 class SortedSamples {
  public:
-  // Those without weight are left out. Values must be finite and weights ≥ 0.
+  // Samples without weight are left out. Values must be finite and weights ≥ 0.
   explicit SortedSamples(std::vector<WeightedSample> samples);
 
   bool empty() const { return samples_.empty(); }

@@ -77,7 +77,7 @@ class Technique {
   virtual std::unique_ptr<Technique> clone() const = 0;
 
   virtual const TechniqueInfo& info() const = 0;
-  // In storage order: four to a texture. May depend on the parameters.
+  // The channels in storage order, four to a texture. They may depend on the parameters.
   virtual std::vector<Channel> channels() const = 0;
   // Bound to this instance: they are invalid once it is gone.
   virtual std::vector<Parameter> parameters() = 0;
@@ -97,7 +97,7 @@ class Technique {
 
   // z in [0,1] to channels().size() values.
   virtual void encode(double z, std::span<double> channels) const = 0;
-  // In [0,1]; `receiver` is the biased depth of the shaded surface.
+  // The result is in [0,1]; `receiver` is the biased depth of the shaded surface.
   virtual double visibility(const Fetch& fetch, double receiver) const = 0;
 
   // The numeric chain that ends in visibility(), and the step that goes wrong, if any does: the

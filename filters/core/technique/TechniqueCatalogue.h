@@ -13,7 +13,7 @@ class TechniqueCatalogue {
  public:
   void add(std::unique_ptr<Technique> technique);
 
-  // In teaching order.
+  // All techniques, in teaching order.
   std::vector<const Technique*> all() const;
   bool has(std::string_view id) const;
   // A copy with default parameters. Throws BadCommandLine with the nearest id as a suggestion;

@@ -1,4 +1,4 @@
-// From which size on an error of visibility is called an error, everywhere in the program.
+// The size from which on an error of visibility is called an error, everywhere in the program.
 #pragma once
 
 #include <cmath>
