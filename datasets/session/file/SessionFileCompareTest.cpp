@@ -1,5 +1,7 @@
 #include "datasets/session/file/SessionFileCompare.h"
 
+#include <nlohmann/json.hpp>
+
 #include "datasets/session/file/SessionFileCheck.h"
 
 namespace umbra {
