@@ -10,6 +10,7 @@
 #include "datasets/scenes/SceneCatalogue.h"
 #include "datasets/session/LoadSource.h"
 #include "filters/core/support/Error.h"
+#include "filters/core/support/InputFile.h"
 #include "filters/core/support/Text.h"
 
 namespace umbra {
@@ -52,7 +53,7 @@ SceneSource sceneSourceFrom(const std::string& name, std::string_view where) {
     return source;
   source.kind = SourceKind::MeshFile;
   if (isMeshName(name)) {
-    if (!fs::exists(name)) throw Error(ErrorKind::BadInput, name + ": there is no such file");
+    checkInput(name);
     return source;
   }
   throw Error(ErrorKind::BadCommandLine,
@@ -88,10 +89,6 @@ Scene loadScene(const SceneSource& source) {
     throw Error(ErrorKind::BadCommandLine,
                 "--depth: a depth map has no scene to draw, give --scene NAME|FILE");
   return *loaded(source).scene;
-}
-
-DepthMap loadDepthMap(const SceneSource& source) {
-  return *loaded(source).depth;
 }
 
 std::string shortNameOf(const SceneSource& source) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "datasets/session/LoadSource.h"
 #include "datasets/session/Session.h"
 
 namespace umbra {
@@ -18,9 +19,6 @@ void adjustScene(SceneSource& source, const std::string& setting);
 // The scene of a catalogue or mesh source, with a warning in the log for what a mesh file lost.
 // Throws BadInput, and BadCommandLine for a depth map, which has no scene.
 Scene loadScene(const SceneSource& source);
-
-// The map of a depth-file source. Throws BadInput.
-DepthMap loadDepthMap(const SceneSource& source);
 
 // For tables and files: the scene's name, or a file's name without its folder.
 std::string shortNameOf(const SceneSource& source);

@@ -2,9 +2,12 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <iostream>
+#include <stdexcept>
 #include <system_error>
 
+#include "filters/core/support/AtomicFile.h"
 #include "filters/core/support/Error.h"
 
 namespace umbra {
@@ -26,15 +29,15 @@ void printJson(const Json& object) {
   print(toText(object));
 }
 
-OutputFolder::OutputFolder(const fs::path& folder)
-    : folder_(folder), staging_(folder / (".umbrascope-" + std::to_string(getpid()))) {
+OutputFolder::OutputFolder(const fs::path& folder) : folder_(folder) {
   std::error_code problem;
   made_ = !fs::exists(folder_, problem);
   fs::create_directories(folder_, problem);
-  if (!problem) fs::create_directory(staging_, problem);
-  if (problem || !fs::is_directory(staging_))
+  if (problem || !fs::is_directory(folder_, problem))
     throw Error(ErrorKind::BadOutput, folder_.string() + ": cannot be written: " +
                                           (problem ? problem.message() : "it is not a folder"));
+  removeLeftOvers(folder_);
+  staging_ = makeStagingFolder(folder_);
 }
 
 OutputFolder::~OutputFolder() {
@@ -45,30 +48,51 @@ OutputFolder::~OutputFolder() {
 }
 
 fs::path OutputFolder::file(const std::string& name) {
+  if (!isPlainName(name))
+    throw Error(ErrorKind::BadOutput, "'" + name + "' is no name of a file in " + folder_.string());
   names_.push_back(name);
   return staging_ / name;
 }
 
+// All files take their places or none does: those that they replace wait until the last one has.
 void OutputFolder::finish() {
+  const fs::path replaced = makeStagingFolder(staging_);
+  std::vector<std::string> moved;
+  const auto place = [&](const std::string& name) {
+    moved.push_back(name);
+    std::error_code none;
+    fs::rename(folder_ / name, replaced / name, none);  // there may be nothing to replace
+    fs::rename(staging_ / name, folder_ / name);
+  };
+  const auto undo = [&](const std::string& name) {
+    std::error_code none;
+    fs::rename(folder_ / name, staging_ / name, none);
+    fs::rename(replaced / name, folder_ / name, none);
+  };
   for (const std::string& name : names_) {
-    std::error_code problem;
-    fs::rename(staging_ / name, folder_ / name, problem);
-    if (problem)
-      throw Error(ErrorKind::BadOutput,
-                  (folder_ / name).string() + ": cannot be written: " + problem.message());
+    try {
+      if (fs::is_directory(folder_ / name)) throw std::runtime_error("is a folder, not a file");
+      place(name);
+    } catch (const std::exception& error) {
+      const auto* system = dynamic_cast<const fs::filesystem_error*>(&error);
+      const std::string why = system ? system->code().message() : std::string(error.what());
+      std::for_each(moved.rbegin(), moved.rend(), undo);
+      throw Error(ErrorKind::BadOutput, (folder_ / name).string() + ": cannot be written: " + why);
+    }
   }
   finished_ = true;
   for (const std::string& name : names_) announce(folder_ / name);
 }
 
 void checkWritable(const fs::path& file) {
-  if (fs::is_directory(file))
+  std::error_code problem;
+  if (fs::is_directory(file, problem))
     throw Error(ErrorKind::BadOutput, file.string() + ": is a folder, not a file");
   // The nearest folder above the file that exists must take new entries.
   fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  while (!fs::exists(folder))
+  while (!fs::exists(folder, problem))
     folder = folder.has_parent_path() ? folder.parent_path() : fs::path(".");
-  if (!fs::is_directory(folder) || access(folder.c_str(), W_OK | X_OK) != 0)
+  if (!fs::is_directory(folder, problem) || access(folder.c_str(), W_OK | X_OK) != 0)
     throw Error(ErrorKind::BadOutput,
                 file.string() + ": " + folder.string() + " is not a folder that can be written");
 }

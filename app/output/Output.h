@@ -28,8 +28,10 @@ class OutputFolder {
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
-  // The staging path to write `name` to; finish() moves it into the folder.
+  // The staging path to write `name` to; finish() moves it into the folder. Throws BadOutput for a
+  // name that would lie elsewhere.
   std::filesystem::path file(const std::string& name);
+  // Throws BadOutput where a file cannot take its place; then none has, and what was there stays.
   void finish();
 
  private:

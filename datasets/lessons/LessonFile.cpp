@@ -1,5 +1,6 @@
 #include "datasets/lessons/LessonFile.h"
 
+#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -7,6 +8,7 @@
 #include "datasets/session/file/JsonText.h"
 #include "datasets/session/file/SessionFile.h"
 #include "filters/core/support/Error.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 
@@ -135,6 +137,14 @@ LessonStep stepOf(const Json& json, const std::string& where, std::size_t index,
   return step;
 }
 
+bool isLessonName(std::string_view name) {
+  const auto fits = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+           c == '_';
+  };
+  return name.size() <= 60 && std::all_of(name.begin(), name.end(), fits);
+}
+
 Lesson lessonFrom(const Json& json, const std::string& where) {
   JsonObject object(json, where);
   std::string format;
@@ -144,6 +154,10 @@ Lesson lessonFrom(const Json& json, const std::string& where) {
   Lesson lesson;
   object.read("name", lesson.name);
   require(lesson.name, object, "name");
+  if (!isLessonName(lesson.name))
+    refuse(where, ".name: '" + clipped(lesson.name) +
+                      "' is not right, a hand-out's file is called so: it takes up to 60 letters, "
+                      "digits, '-' and '_'");
   object.read("title", lesson.title);
   require(lesson.title, object, "title");
   object.readLines("summary", lesson.summary);
@@ -174,10 +188,14 @@ Lesson readLesson(const fs::path& file) {
 }
 
 bool looksLikeLesson(const fs::path& file) {
-  const Json json = Json::parse(textOf(file), nullptr, false);
-  if (!json.is_object() || !json.contains("format")) return false;
-  const Json& format = json.at("format");
-  return format.is_string() && format.get<std::string>().starts_with("umbrascope-lesson");
+  try {
+    const Json json = jsonFromText(textOf(file), "");
+    if (!json.is_object() || !json.contains("format")) return false;
+    const Json& format = json.at("format");
+    return format.is_string() && format.get<std::string>().starts_with("umbrascope-lesson");
+  } catch (const Error&) {
+    return false;  // whoever reads it as something else says what is wrong with it
+  }
 }
 
 }  // namespace umbra

@@ -67,6 +67,21 @@ TEST(LessonFile, ReadsEveryKey) {
   EXPECT_EQ(step.claims[0].right, (LessonQuantity{Quantity::Rmse, "pcf", 0}));
 }
 
+// A hand-out's file is called by the name: one that is a path would lie elsewhere.
+TEST(LessonFile, TakesNamesThatAreNoPaths) {
+  for (const std::string name : {"../../escaped", "/tmp/x", "a/b", "..", "a.b", "ä", "a b"}) {
+    Json json = sample();
+    json["name"] = name;
+    const std::string refusal = refusalOf(json);
+    EXPECT_TRUE(refusal.starts_with("sample.json.name: '" + name + "' is not right")) << refusal;
+  }
+  Json json = sample();
+  json["name"] = std::string(61, 'x');
+  EXPECT_NE(refusalOf(json), "accepted");
+  json["name"] = "09_Power-CDF";
+  EXPECT_EQ(refusalOf(json), "accepted");
+}
+
 TEST(LessonFile, NamesFileAndKeyOfWhatIsWrong) {
   const auto with = [](const char* pointer, const Json& value) {
     Json json = sample();

@@ -15,6 +15,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "datasets/maps/ExrAttributes.h"
 #include "filters/core/support/AtomicFile.h"
 #include "filters/core/support/Error.h"
 #include "filters/core/support/Parameters.h"
@@ -80,36 +81,59 @@ void checkSize(const fs::path& file, const Imf::Header& header, std::int64_t wid
                      " pixels, which its " + std::to_string(bytes) + " bytes cannot hold");
 }
 
-Image<float> readChannel(const fs::path& file, const std::string& wanted) {
-  Imf::MultiPartInputFile input(file.c_str());
-  const ChannelPlace place = channelToRead(file, channelsOf(file, input), wanted);
-  const Imf::Header& header = input.header(place.part);
-  const Imf::Channel& channel = header.channels()[place.name.c_str()];
-  if (channel.type == Imf::UINT)
-    refuse(file, "channel '" + place.title + "' holds whole numbers; a depth is half or float");
-  if (channel.xSampling != 1 || channel.ySampling != 1)
-    refuse(file, "channel '" + place.title + "' is subsampled; a depth has one value per pixel");
-  const Imath::Box2i window = header.dataWindow();
-  const int width = window.max.x - window.min.x + 1, height = window.max.y - window.min.y + 1;
-  checkSize(file, header, width, height);
-  Image<float> image(width, height);
-  // OpenEXR addresses pixels from the data window's origin, wherever it lies.
-  Imf::FrameBuffer frame;
-  frame.insert(place.name, Imf::Slice::Make(Imf::FLOAT, image.values().data(), window));
-  Imf::InputPart part(input, place.part);
-  part.setFrameBuffer(frame);
-  part.readPixels(window.min.y, window.max.y);
-  return image;
-}
+// The values that become 0 and 1.
+struct Range {
+  double near, far;
 
-std::string rangeText(double near, double far) {
-  return "from " + toText(near) + " to " + toText(far);
-}
+  std::string text() const { return "from " + toText(near) + " to " + toText(far); }
+};
 
 // The fewest digits that stand for this value and no other: 1.0000001 is not 1.
 std::string exactly(float value) {
   char buffer[32];
   return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
+}
+
+void checkChannel(const fs::path& file, const ChannelPlace& place, const Imf::Channel& channel) {
+  if (channel.type == Imf::UINT)
+    refuse(file, "channel '" + place.title + "' holds whole numbers; a depth is half or float");
+  if (channel.xSampling != 1 || channel.ySampling != 1)
+    refuse(file, "channel '" + place.title + "' is subsampled; a depth has one value per pixel");
+}
+
+// Some rows at a time, so that no second copy of the map is needed.
+DepthMap readChannel(const fs::path& file, const std::string& wanted, const Range& range) {
+  constexpr int rows = 256;
+  Imf::MultiPartInputFile input(file.c_str());
+  const ChannelPlace place = channelToRead(file, channelsOf(file, input), wanted);
+  const Imf::Header& header = input.header(place.part);
+  checkChannel(file, place, header.channels()[place.name.c_str()]);
+  const Imath::Box2i window = header.dataWindow();
+  const int width = window.max.x - window.min.x + 1, height = window.max.y - window.min.y + 1;
+  checkSize(file, header, width, height);
+  DepthMap map(width, height);
+  Image<float> values(width, std::min(rows, height));
+  Imf::InputPart part(input, place.part);
+  for (int first = 0; first < height; first += rows) {
+    const int last = std::min(first + rows, height) - 1;
+    // OpenEXR addresses pixels from the data window's origin, wherever it lies.
+    const Imath::Box2i block({window.min.x, window.min.y + first},
+                             {window.max.x, window.min.y + last});
+    Imf::FrameBuffer frame;
+    frame.insert(place.name, Imf::Slice::Make(Imf::FLOAT, values.values().data(), block));
+    part.setFrameBuffer(frame);
+    part.readPixels(block.min.y, block.max.y);
+    for (int y = first; y <= last; ++y)
+      for (int x = 0; x < width; ++x) {
+        const float value = values(x, y - first);
+        const double z = (value - range.near) / (range.far - range.near);
+        if (!(z >= 0.0 && z <= 1.0))
+          refuse(file, "texel " + std::to_string(x) + "," + std::to_string(y) + " is " +
+                           exactly(value) + "; depths are finite numbers " + range.text());
+        map(x, y) = z;
+      }
+  }
+  return map;
 }
 
 // OpenEXR checks this limit before it allocates anything. The limit is a setting of the whole
@@ -126,15 +150,15 @@ void limitImageSize() {
 
 DepthMap readDepthFile(const fs::path& file, const std::string& channel, double near, double far) {
   if (!std::isfinite(near) || !std::isfinite(far) || near == far)
-    refuse(file, "the depth range " + rangeText(near, far) + " is empty; near and far must differ");
+    refuse(file,
+           "the depth range " + Range{near, far}.text() + " is empty; near and far must differ");
   if (!std::isfinite(far - near))
-    refuse(file, "the depth range " + rangeText(near, far) + " is too wide to divide by");
-  std::error_code problem;
-  if (!fs::is_regular_file(file, problem)) refuse(file, "there is no such file");
-  Image<float> image;
+    refuse(file, "the depth range " + Range{near, far}.text() + " is too wide to divide by");
+  checkExrAttributes(file);
+  DepthMap map;
   try {
     limitImageSize();
-    image = readChannel(file, channel);
+    map = readChannel(file, channel, Range{near, far});
   } catch (const Error&) {
     throw;
   } catch (const std::exception& error) {
@@ -142,16 +166,6 @@ DepthMap readDepthFile(const fs::path& file, const std::string& channel, double 
     std::replace(what.begin(), what.end(), '\n', ' ');
     refuse(file, "cannot be read as OpenEXR: " + what);
   }
-  DepthMap map(image.width(), image.height());
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x) {
-      const float value = image(x, y);
-      const double z = (value - near) / (far - near);
-      if (!(z >= 0.0 && z <= 1.0))
-        refuse(file, "texel " + std::to_string(x) + "," + std::to_string(y) + " is " +
-                         exactly(value) + "; depths are finite numbers " + rangeText(near, far));
-      map(x, y) = z;
-    }
   return map;
 }
 

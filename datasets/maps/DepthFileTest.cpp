@@ -258,6 +258,17 @@ TEST_F(DepthFile, RefusesASizeThatTheFileCannotHold) {
   EXPECT_NE(refusal(path("wide.exr")), "no error");
 }
 
+// OpenEXR would allocate 2 GiB before it finds that they are not there.
+TEST_F(DepthFile, RefusesAnAttributeThatTheFileCannotHold) {
+  const std::string header(
+      "v/1\x01\x02\0\0\0name\0string\0\xff\xff\xff\x7f"
+      "x",
+      24 + 1);
+  std::ofstream(path("promise.exr"), std::ios::binary) << header;
+  EXPECT_EQ(refusal(path("promise.exr")),
+            ": the attribute 'name' promises 2147483647 bytes, the file has 1 after it");
+}
+
 TEST_F(DepthFile, SurvivesDamagedFiles) {
   writeExr(path("m.exr"), {{"Z", noise(24, 24)}}, {{"note", "text"}});
   const std::string whole = bytesOf(path("m.exr"));

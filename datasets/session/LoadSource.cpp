@@ -22,11 +22,14 @@ Scene readScene(const SceneSource& source, std::vector<std::string>& notices) {
 
 }  // namespace
 
+DepthMap loadDepthMap(const SceneSource& source) {
+  return readDepthFile(source.name, source.channel, source.depthNear, source.depthFar);
+}
+
 Content loadSource(const SceneSource& source) {
   Content content;
   if (source.kind == SourceKind::DepthFile) {
-    content.depth = std::make_shared<const DepthMap>(
-        readDepthFile(source.name, source.channel, source.depthNear, source.depthFar));
+    content.depth = std::make_shared<const DepthMap>(loadDepthMap(source));
     return content;
   }
   content.scene = std::make_shared<const Scene>(readScene(source, content.notices));

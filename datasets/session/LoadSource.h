@@ -23,5 +23,7 @@ struct Content {
 // Throws BadInput for what cannot be read, is not in the catalogue or has no triangle to draw. Safe
 // on any thread.
 Content loadSource(const SceneSource& source);
+// The map of a depth-file source, alone: a large one is not kept twice. Throws BadInput.
+DepthMap loadDepthMap(const SceneSource& source);
 
 }  // namespace umbra

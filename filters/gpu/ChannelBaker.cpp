@@ -60,7 +60,13 @@ GLuint groups(int items, int groupSize) {
 std::string storeSource(const gl::Texture& target) {
   const GLenum format = target.format();
   const bool half = format == GL_R16F || format == GL_RG16F || format == GL_RGBA16F;
-  return std::string("#define UMBRA_HALF ") + (half ? "1\n" : "0\n") + Store_glsl;
+  const bool bytes = format == GL_R8 || format == GL_RG8 || format == GL_RGBA8;
+  const bool words = format == GL_R16 || format == GL_RG16 || format == GL_RGBA16;
+  return std::string("#define UMBRA_HALF ") + (half ? "1" : "0") + "\n#define UMBRA_STEPS " +
+         (bytes   ? "255\n"
+          : words ? "65535\n"
+                  : "0\n") +
+         Store_glsl;
 }
 
 void bindTarget(const gl::Texture& target, int level = 0) {

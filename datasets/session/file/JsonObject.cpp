@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "datasets/session/file/JsonText.h"
 #include "filters/core/support/Error.h"
 #include "filters/core/support/Text.h"
 
@@ -11,20 +12,27 @@ namespace umbra {
 
 using Json = nlohmann::ordered_json;
 
+namespace {
+
+// Bytes of a name of ours, of which none is half as long: messages quote names whole.
+constexpr std::size_t longestName = 80;
+
+}  // namespace
+
 JsonObject::JsonObject(const Json& value, std::string where)
     : value_(value), where_(std::move(where)) {
   if (!value_.is_object())
-    throw Error(ErrorKind::BadInput, where_ + ": " + value_.dump() + " should be an object {…}");
+    throw Error(ErrorKind::BadInput, where_ + ": " + quoted(value_) + " should be an object {…}");
 }
 
 std::string JsonObject::whereOf(std::string_view key) const {
   // "file: a" and key "b" give "file: a.b".
   const bool nested = where_.find(": ") != std::string::npos;
-  return where_ + (nested ? "." : ": ") + std::string(key);
+  return where_ + (nested ? "." : ": ") + clipped(key);
 }
 
 void JsonObject::refuse(std::string_view key, const std::string& right) const {
-  throw Error(ErrorKind::BadInput, whereOf(key) + ": " + value_.at(std::string(key)).dump() +
+  throw Error(ErrorKind::BadInput, whereOf(key) + ": " + quoted(value_.at(std::string(key))) +
                                        " is not right, it takes " + right);
 }
 
@@ -74,6 +82,7 @@ void JsonObject::readName(
   std::string name;
   if (!value_.contains(std::string(key))) return void(known_.emplace_back(key));
   read(key, name);
+  if (name.size() > longestName) refuse(key, "a name");
   try {
     parse(name, whereOf(key));
   } catch (const Error& error) {

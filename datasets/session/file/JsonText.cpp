@@ -1,18 +1,22 @@
 #include "datasets/session/file/JsonText.h"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 #include <vector>
 
 #include "filters/core/support/Error.h"
+#include "filters/core/support/InputFile.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 
 using Json = nlohmann::ordered_json;
 
 namespace {
+
+// Levels of objects and lists that any of our files needs are ten; a reader of thousands would need
+// as many levels of calls.
+constexpr std::size_t deepest = 64;
 
 // Follows a parser into its objects and lists.
 class Keys {
@@ -24,7 +28,11 @@ class Keys {
     if (event == Event::object_end || event == Event::array_end) return open_.pop_back();
     if (event == Event::key) return add(parsed.get<std::string>());
     if (!open_.empty() && open_.back().list) ++open_.back().count;  // an element, or its start
-    if (event != Event::value) open_.push_back({event == Event::array_start, 0, {}, {}});
+    if (event == Event::value) return;
+    if (open_.size() == deepest)
+      throw Error(ErrorKind::BadInput, std::string(where_) + ": is nested more than " +
+                                           std::to_string(deepest) + " levels deep");
+    open_.push_back({event == Event::array_start, 0, {}, {}});
   }
 
  private:
@@ -47,7 +55,7 @@ class Keys {
     std::string path;
     for (const Level& level : open_)
       path += level.list ? "[" + std::to_string(level.count) + "]"
-                         : (path.empty() ? "" : ".") + level.last;
+                         : (path.empty() ? "" : ".") + clipped(level.last);
     return path;
   }
 
@@ -77,12 +85,11 @@ Json jsonFromText(std::string_view text, std::string_view where) {
 }
 
 std::string textOf(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (!stream || std::filesystem::is_directory(file))
-    throw Error(ErrorKind::BadInput, file.string() + ": cannot be read");
-  return text.str();
+  return contentOf(file, largestJson);
+}
+
+std::string quoted(const Json& value) {
+  return clipped(value.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 }  // namespace umbra

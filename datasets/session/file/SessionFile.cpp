@@ -40,13 +40,13 @@ Json sourceJson(const SceneSource& source) {
 
 double numberAt(const Json& value, const std::string& where) {
   if (!value.is_number())
-    throw Error(ErrorKind::BadInput, where + ": " + value.dump() + " should be a number");
+    throw Error(ErrorKind::BadInput, where + ": " + quoted(value) + " should be a number");
   return value.get<double>();
 }
 
 void readPair(const Json& value, const std::string& where, double& first, double& second) {
   if (!value.is_array() || value.size() != 2)
-    throw Error(ErrorKind::BadInput, where + ": " + value.dump() + " should be two numbers");
+    throw Error(ErrorKind::BadInput, where + ": " + quoted(value) + " should be two numbers");
   first = numberAt(value[0], where);
   second = numberAt(value[1], where);
 }
@@ -155,7 +155,7 @@ Session sessionFrom(const Json& json, std::string_view where) {
     readPair(json.at(key), place, x, y);
     const auto fits = [&](double n) { return n >= low && n <= high && n == std::floor(n); };
     if (!fits(x) || !fits(y))
-      throw Error(ErrorKind::BadInput, place + ": " + json.at(key).dump() +
+      throw Error(ErrorKind::BadInput, place + ": " + quoted(json.at(key)) +
                                            " should be two whole numbers from " +
                                            std::to_string(low) + " to " + std::to_string(high));
     use(int(x), int(y));

@@ -5,9 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "datasets/session/file/JsonText.h"
 #include "datasets/session/file/SessionFileFrame.h"
 #include "datasets/session/file/SessionFileParameters.h"
 #include "filters/core/support/Error.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 
@@ -96,8 +98,8 @@ Pane paneFrom(const Json& value, const std::string& where, const FrameSettings& 
 
 void readTechniques(JsonObject& object, std::vector<Pane>& panes) {
   object.readList("techniques", [&](const Json& element, const std::string& where) {
-    const std::string id = element.is_string() ? element.get<std::string>() : element.dump();
-    if (!allTechniques().has(id)) refuse(where, "there is no technique " + id);
+    const std::string id = element.is_string() ? element.get<std::string>() : quoted(element);
+    if (!allTechniques().has(id)) refuse(where, "there is no technique " + clipped(id));
     if (placeOf(panes, id) != panes.size())
       refuse(where, "has " + id + " twice, each is compared once unless \"panes\" set it apart");
     panes.push_back({id, {}});

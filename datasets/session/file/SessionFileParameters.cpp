@@ -1,4 +1,5 @@
 #include "datasets/session/file/SessionFileParameters.h"
+#include "datasets/session/file/JsonText.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -19,12 +20,12 @@ ParameterValue valueFrom(const Json& json, const std::string& where) {
     std::vector<double> list;
     for (const Json& element : json) {
       if (!element.is_number())
-        throw Error(ErrorKind::BadInput, where + ": " + element.dump() + " should be a number");
+        throw Error(ErrorKind::BadInput, where + ": " + quoted(element) + " should be a number");
       list.push_back(element.get<double>());
     }
     return list;
   }
-  throw Error(ErrorKind::BadInput, where + ": " + json.dump() + " is no parameter's value");
+  throw Error(ErrorKind::BadInput, where + ": " + quoted(json) + " is no parameter's value");
 }
 
 }  // namespace

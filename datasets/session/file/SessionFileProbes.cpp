@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "datasets/session/file/JsonText.h"
 #include "datasets/session/file/SessionFileFrame.h"
 #include "filters/core/support/Error.h"
 #include "filters/core/support/Text.h"
@@ -19,7 +20,7 @@ Pixel texelFrom(const Json& value, const std::string& where) {
            number.get<double>() < Session::largestSide;
   };
   if (!value.is_array() || value.size() != 2 || !fits(value[0]) || !fits(value[1]))
-    throw Error(ErrorKind::BadInput, where + ": " + value.dump() +
+    throw Error(ErrorKind::BadInput, where + ": " + quoted(value) +
                                          " should be two whole numbers from 0 to " +
                                          std::to_string(Session::largestSide - 1));
   return {value[0].get<int>(), value[1].get<int>()};

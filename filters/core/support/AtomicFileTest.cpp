@@ -1,6 +1,8 @@
 #include "filters/core/support/AtomicFile.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <iterator>
@@ -44,7 +46,7 @@ TEST_F(AtomicFile, ReplacesWhatWasThere) {
 TEST_F(AtomicFile, GivesTheTemporaryFileTheSameExtension) {
   writeAtomically(folder_ / "picture.png", [&](const fs::path& temporary) {
     EXPECT_EQ(temporary.extension(), ".png");
-    EXPECT_EQ(temporary.parent_path(), folder_);
+    EXPECT_EQ(temporary.parent_path().parent_path(), folder_);
     std::ofstream(temporary) << "x";
   });
   EXPECT_EQ(contentOf(folder_ / "picture.png"), "x");
@@ -87,6 +89,63 @@ TEST_F(AtomicFile, RefusesAFolderInThePlaceOfTheFileAndAFileInThatOfTheFolder) {
 TEST_F(AtomicFile, LeavesNothingWhenNothingWasWritten) {
   EXPECT_THROW(writeAtomically(folder_ / "file.txt", [](const fs::path&) {}), Error);
   EXPECT_EQ(entries(), 0u);
+}
+
+TEST_F(AtomicFile, KeepsPermissions) {
+  const fs::path file = folder_ / "secret.json";
+  writeTextAtomically(file, "old");
+  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
+  writeTextAtomically(file, "new");
+  EXPECT_EQ(fs::status(file).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+}
+
+TEST_F(AtomicFile, WritesThroughALinkAndLeavesTheLink) {
+  fs::create_directories(folder_ / "elsewhere");
+  fs::create_symlink("elsewhere/file.txt", folder_ / "link.txt");
+  writeTextAtomically(folder_ / "link.txt", "new");  // what it points to is not there yet
+  writeTextAtomically(folder_ / "link.txt", "newer");
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link.txt"));
+  EXPECT_EQ(contentOf(folder_ / "elsewhere" / "file.txt"), "newer");
+  fs::create_symlink("circle", folder_ / "circle");
+  EXPECT_THROW(writeTextAtomically(folder_ / "circle", "new"), Error);
+}
+
+// A temporary file can be written by nobody else, whatever its permissions are.
+TEST_F(AtomicFile, LetsNobodyElseIntoTheTemporaryFolder) {
+  std::string first;
+  writeAtomically(folder_ / "file.txt", [&](const fs::path& temporary) {
+    first = temporary.parent_path().filename().string();
+    EXPECT_EQ(fs::status(temporary.parent_path()).permissions(), fs::perms::owner_all);
+    std::ofstream(temporary) << "x";
+  });
+  writeAtomically(folder_ / "file.txt", [&](const fs::path& temporary) {
+    EXPECT_NE(temporary.parent_path().filename().string(), first);
+    std::ofstream(temporary) << "x";
+  });
+}
+
+// The process that made it was killed: its number is of none that lives.
+TEST_F(AtomicFile, RemovesWhatAKilledProcessLeft) {
+  const pid_t dead = fork();
+  if (dead == 0) {
+    makeStagingFolder(folder_);
+    _exit(0);
+  }
+  ASSERT_EQ(waitpid(dead, nullptr, 0), dead);
+  const fs::path living = makeStagingFolder(folder_);
+  std::ofstream(folder_ / ".umbrascope-notes") << "somebody's own";
+  EXPECT_EQ(entries(), 3u);
+  writeTextAtomically(folder_ / "file.txt", "new");
+  EXPECT_EQ(entries(), 3u);
+  EXPECT_TRUE(fs::exists(living));
+  EXPECT_TRUE(fs::exists(folder_ / ".umbrascope-notes"));
+}
+
+TEST_F(AtomicFile, KnowsNamesThatLeaveTheFolder) {
+  for (const char* name : {"", ".", "..", "../x", "a/b", "/etc/passwd"})
+    EXPECT_FALSE(isPlainName(name)) << name;
+  for (const char* name : {"a", "..a", "compare.json", "décalage.png"})
+    EXPECT_TRUE(isPlainName(name)) << name;
 }
 
 }  // namespace

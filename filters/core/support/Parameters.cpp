@@ -103,7 +103,7 @@ const Kind& findNamed(std::span<const Kind> parameters, std::string_view name,
     if (parameter.name == name) return parameter;
     names.emplace_back(parameter.name);
   }
-  std::string message = std::string(where) + ": there is no parameter '" + std::string(name) + "'";
+  std::string message = std::string(where) + ": there is no parameter '" + clipped(name) + "'";
   const std::string nearest = nearestWord(name, names);
   if (!nearest.empty())
     message += "; did you mean '" + nearest + "'?";

@@ -70,4 +70,13 @@ std::string nearestWord(std::string_view word, std::span<const std::string> cand
   return nearest;
 }
 
+std::string clipped(std::string_view text) {
+  constexpr std::size_t longest = 80;
+  if (text.size() <= longest) return std::string(text);
+  std::size_t end = longest;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80)
+    --end;  // a character of UTF-8 stays whole
+  return std::string(text.substr(0, end)) + "…";
+}
+
 }  // namespace umbra

@@ -21,4 +21,7 @@ std::vector<std::string> split(std::string_view text, char separator);
 // or more that a candidate begins with was broken off: then the shortest such candidate.
 std::string nearestWord(std::string_view word, std::span<const std::string> candidates);
 
+// Text of an input as a message quotes it: its first 80 bytes and "…", where it is longer.
+std::string clipped(std::string_view text);
+
 }  // namespace umbra

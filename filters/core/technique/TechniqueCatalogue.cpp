@@ -37,7 +37,7 @@ std::unique_ptr<Technique> TechniqueCatalogue::make(std::string_view id,
   const std::string nearest = nearestWord(id, ids);
   throw Error(
       ErrorKind::BadCommandLine,
-      std::string(where) + ": there is no '" + std::string(id) + "'; " +
+      std::string(where) + ": there is no '" + clipped(id) + "'; " +
           (nearest.empty() ? "there are " + joined(ids) : "did you mean '" + nearest + "'?"));
 }
 
