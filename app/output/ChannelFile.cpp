@@ -1,6 +1,6 @@
 #include "app/output/ChannelFile.h"
 
-#include "datasets/maps/DepthFile.h"
+#include "datasets/maps/ExrFile.h"
 #include "datasets/session/file/SessionFile.h"
 
 namespace umbra {

@@ -5,18 +5,14 @@
 #include <ImfHeader.h>
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
-#include <ImfOutputFile.h>
 #include <ImfPartType.h>
-#include <ImfStringAttribute.h>
 #include <ImfVersion.h>
-#include <half.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 
 #include "datasets/maps/ExrAttributes.h"
-#include "filters/core/support/AtomicFile.h"
 #include "filters/core/support/Error.h"
 #include "filters/core/support/Parameters.h"
 #include "filters/core/support/Text.h"
@@ -33,8 +29,8 @@ constexpr int largestSide = 16384;
   throw Error(ErrorKind::BadInput, file.string() + ": " + what);
 }
 
-// A channel of one part of the file. Viewers show `title`: "part.channel" where the file has
-// several parts.
+// A channel of one part of the file. `title` is what viewers show: "part.channel" where the file
+// has several parts.
 struct ChannelPlace {
   int part = 0;
   std::string name, title;
@@ -68,9 +64,8 @@ ChannelPlace channelToRead(const fs::path& file, const std::vector<ChannelPlace>
                    (wanted.empty() ? ": name one as FILE.exr:CHANNEL" : ""));
 }
 
-// Refuses a size that no file of this length can hold, before memory is allocated for it. Only the
-// DCT compressions store more than deflate's 1032 bytes in one byte; a pixel takes at least two
-// bytes.
+// What no file of that length can hold is not allocated for. Only the DCT compressions store more
+// than deflate's 1032 bytes in one; a pixel takes two bytes or more.
 void checkSize(const fs::path& file, const Imf::Header& header, std::int64_t width,
                std::int64_t height) {
   const Imf::Compression compression = header.compression();
@@ -176,40 +171,6 @@ std::pair<fs::path, std::string> splitDepthArgument(const std::string& argument)
   for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
   if (extension != ".exr") return {argument, ""};
   return {argument.substr(0, colon), argument.substr(colon + 1)};
-}
-
-void writeExr(const fs::path& file, const std::map<std::string, Image<float>>& channels,
-              const std::map<std::string, std::string>& attributes, ExrPixel pixel) {
-  if (channels.empty()) throw Error(ErrorKind::BadOutput, file.string() + ": has no channel");
-  const Image<float>& first = channels.begin()->second;
-  Imf::Header header(first.width(), first.height());
-  header.compression() = Imf::ZIP_COMPRESSION;
-  for (const auto& [name, text] : attributes) header.insert(name, Imf::StringAttribute(text));
-  const Imf::PixelType type = pixel == ExrPixel::Half ? Imf::HALF : Imf::FLOAT;
-  std::vector<Image<half>> halves;  // the frame buffer points into these
-  halves.reserve(channels.size());
-  Imf::FrameBuffer frame;
-  for (const auto& [name, image] : channels) {
-    if (image.width() != first.width() || image.height() != first.height() || image.channels() != 1)
-      throw Error(ErrorKind::BadOutput,
-                  file.string() + ": channel '" + name + "' differs in size from the others");
-    header.channels().insert(name, Imf::Channel(type));
-    const char* data = reinterpret_cast<const char*>(image.values().data());
-    std::size_t stride = sizeof(float);
-    if (pixel == ExrPixel::Half) {
-      Image<half>& rounded = halves.emplace_back(image.width(), image.height());
-      std::copy(image.values().begin(), image.values().end(), rounded.values().begin());
-      data = reinterpret_cast<const char*>(rounded.values().data());
-      stride = sizeof(half);
-    }
-    // The library only reads through the pointer when it writes a file.
-    frame.insert(name, Imf::Slice(type, const_cast<char*>(data), stride, stride * first.width()));
-  }
-  writeAtomically(file, [&](const fs::path& temporary) {
-    Imf::OutputFile output(temporary.c_str(), header);
-    output.setFrameBuffer(frame);
-    output.writePixels(first.height());
-  });
 }
 
 }  // namespace umbra

@@ -1,4 +1,5 @@
 #include "datasets/maps/DepthFile.h"
+#include "datasets/maps/ExrFile.h"
 
 #include <ImfChannelList.h>
 #include <ImfDeepFrameBuffer.h>
@@ -186,6 +187,18 @@ TEST_F(DepthFile, FindsAChannelInOneOfSeveralParts) {
   EXPECT_EQ(readDepthFile(path("parts.exr"), "far.Z")(1, 1), 0.5);
   EXPECT_EQ(readDepthFile(path("parts.exr"))(1, 1), 0.25);
   EXPECT_EQ(refusal(path("parts.exr"), "W"), ": there is no channel 'W'; there are near.Z, far.Z");
+}
+
+TEST_F(DepthFile, ReadsEveryPartThatWasWritten) {
+  const Image<float> near = noise(6, 5), far = noise(6, 5);
+  writeExr(path("parts.exr"), {{"near", {{"Z", near}}, {{"note", "first"}}},
+                               {"far", {{"Z", far}, {"A", near}}, {{"note", "second"}}}});
+  EXPECT_EQ(readDepthFile(path("parts.exr"), "near.Z")(4, 3), near(4, 3));
+  EXPECT_EQ(readDepthFile(path("parts.exr"), "far.Z")(4, 3), far(4, 3));
+  EXPECT_EQ(readDepthFile(path("parts.exr"), "A")(5, 4), near(5, 4));
+  EXPECT_THROW(writeExr(path("same.exr"), {{"a", {{"Z", near}}, {}}, {"a", {{"Z", far}}, {}}}),
+               Error);
+  EXPECT_FALSE(fs::exists(path("same.exr")));
 }
 
 TEST_F(DepthFile, RefusesDeepFilesAndWholeNumbers) {

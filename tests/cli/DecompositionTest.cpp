@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "datasets/maps/DepthFile.h"
 #include "tests/cli/Process.h"
 #include "tests/cli/SmallMap.h"
 

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <set>
 
+#include "datasets/maps/DepthFile.h"
 #include "tests/cli/Process.h"
 #include "tests/cli/SmallMap.h"
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "datasets/maps/DepthFile.h"
+#include "datasets/maps/ExrFile.h"
 
 namespace umbra::cli {
 

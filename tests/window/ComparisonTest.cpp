@@ -4,7 +4,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "datasets/maps/DepthFile.h"
+#include "datasets/maps/ExrFile.h"
 #include "datasets/session/PaneEditing.h"
 #include "datasets/session/file/SessionFile.h"
 #include "tests/window/Pictures.h"

@@ -10,7 +10,7 @@
 
 #include "analysis/errors/BleedReduction.h"
 #include "analysis/frame/ReceiverPixels.h"
-#include "datasets/maps/DepthFile.h"
+#include "datasets/maps/ExrFile.h"
 #include "tests/widgets/Mouse.h"
 #include "tests/window/WindowTest.h"
 #include "ui/errors/ErrorController.h"

@@ -6,7 +6,7 @@
 #include <QTest>
 #include <random>
 
-#include "datasets/maps/DepthFile.h"
+#include "datasets/maps/ExrFile.h"
 #include "filters/core/support/Error.h"
 #include "tests/window/WindowTest.h"
 #include "ui/picture/SceneView.h"

@@ -7,7 +7,7 @@
 #include <QToolButton>
 #include <cmath>
 
-#include "datasets/maps/DepthFile.h"
+#include "datasets/maps/ExrFile.h"
 #include "tests/window/WindowTest.h"
 #include "ui/picture/SceneView.h"
 #include "ui/probe/KeptProbes.h"

@@ -40,7 +40,7 @@ double numberFrom(std::string_view text, std::string_view where, const Parameter
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size())
-    refuse(where, parameter, "'" + std::string(text) + "'");
+    refuse(where, parameter, std::string("'").append(clipped(text)).append("'"));
   return value;
 }
 
@@ -103,7 +103,10 @@ const Kind& findNamed(std::span<const Kind> parameters, std::string_view name,
     if (parameter.name == name) return parameter;
     names.emplace_back(parameter.name);
   }
-  std::string message = std::string(where) + ": there is no parameter '" + clipped(name) + "'";
+  std::string message(where);
+  message += ": there is no parameter '";
+  message += clipped(name);
+  message += "'";
   const std::string nearest = nearestWord(name, names);
   if (!nearest.empty())
     message += "; did you mean '" + nearest + "'?";
