@@ -29,8 +29,8 @@ constexpr int largestSide = 16384;
   throw Error(ErrorKind::BadInput, file.string() + ": " + what);
 }
 
-// A channel of one part of the file. `title` is what viewers show: "part.channel" where the file
-// has several parts.
+// A channel of one part of the file. Viewers show `title`: "part.channel" where the file has
+// several parts.
 struct ChannelPlace {
   int part = 0;
   std::string name, title;
@@ -64,8 +64,9 @@ ChannelPlace channelToRead(const fs::path& file, const std::vector<ChannelPlace>
                    (wanted.empty() ? ": name one as FILE.exr:CHANNEL" : ""));
 }
 
-// What no file of that length can hold is not allocated for. Only the DCT compressions store more
-// than deflate's 1032 bytes in one; a pixel takes two bytes or more.
+// Refuses a size that no file of this length can hold, before memory is allocated for it. Only the
+// DCT compressions store more than deflate's 1032 bytes in one byte; a pixel takes at least two
+// bytes.
 void checkSize(const fs::path& file, const Imf::Header& header, std::int64_t width,
                std::int64_t height) {
   const Imf::Compression compression = header.compression();

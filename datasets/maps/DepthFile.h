@@ -9,10 +9,11 @@
 
 namespace umbra {
 
-// The channel `channel` ("" is Z, else the only one) of `file`, values taken from [near, far] to
-// [0, 1] in double. Float or half, tiled or scan lines, of a file with several parts also as
-// "part.channel"; deep files are refused. Throws BadInput that names the file and what is wrong:
-// the channels that there are, or the texel of a value that is not finite or outside the range.
+// Reads the channel `channel` of `file` ("" is Z, or else the only channel) and maps its values
+// from [near, far] to [0, 1], in double. The file may have half or float pixels, tiles or scan
+// lines, and several parts, whose channels are named "part.channel"; deep files are refused. Throws
+// BadInput that names the file and what is wrong: the channels that there are, or the texel of a
+// value that is not finite or outside the range.
 DepthMap readDepthFile(const std::filesystem::path& file, const std::string& channel = "",
                        double near = 0.0, double far = 1.0);
 
