@@ -22,7 +22,7 @@ function(umbra_precompile target)
     # GCC forgets that what it has precompiled is the library's, and reports on std::string what it
     # keeps to itself otherwise.
     target_compile_options(${target} PRIVATE
-      $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread>)
+      "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread>")
   endif()
 endfunction()
 
