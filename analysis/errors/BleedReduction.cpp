@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "analysis/errors/CompareMap.h"
-#include "analysis/frame/ReceiverPixels.h"
 #include "filters/core/prefilter/Prefilter.h"
 
 namespace umbra {
@@ -94,13 +93,13 @@ std::optional<BleedReduction> bleedReductionOf(const Probe& probe, const Techniq
   return found;
 }
 
-std::vector<BoundSample> boundSamplesOf(const Image<float>& surfaces,
+std::vector<BoundSample> boundSamplesOf(const SurfaceImage& surfaces,
                                         const Image<float>& reference) {
   std::vector<BoundSample> samples;
   for (int y = 0; y < surfaces.height(); ++y)
     for (int x = 0; x < surfaces.width(); ++x)
-      if (receivesShadow(surfaces.pixel(x, y)))
-        samples.push_back({surfaces(x, y, 3), reference(x, y)});
+      if (surfaces.receivesShadow(x, y) && reference(x, y) != noReference)
+        samples.push_back({surfaces.visibility(x, y), reference(x, y)});
   return samples;
 }
 

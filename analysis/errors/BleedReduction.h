@@ -9,6 +9,7 @@
 
 #include "analysis/probe/Probe.h"
 #include "filters/core/maps/Image.h"
+#include "filters/core/maps/SurfaceImage.h"
 
 namespace umbra {
 
@@ -47,9 +48,12 @@ struct BoundSample {
   double bound = 0.0, reference = 0.0;
 };
 
-// The samples of a frame that was drawn without reduction, one for every pixel that receives
-// shadow. `surfaces` and `reference` are those of ShadowRenderer.
-std::vector<BoundSample> boundSamplesOf(const Image<float>& surfaces,
+// In an image of references: the pixel has none.
+inline constexpr float noReference = -1.0F;
+
+// The samples of a frame that was drawn without reduction, one for every pixel that receives shadow
+// and has a reference.
+std::vector<BoundSample> boundSamplesOf(const SurfaceImage& surfaces,
                                         const Image<float>& reference);
 
 // The reduction for many receivers, such as the pixels of a frame: the smallest amount, up to

@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "analysis/errors/BleedReduction.h"
-#include "analysis/frame/ReceiverPixels.h"
 
 namespace umbra {
 namespace {
@@ -75,13 +74,13 @@ bool worthDecomposing(double visibility, double reference, bool reduces,
   return reduces && visibility < 1.0;
 }
 
-void decomposeRow(const Image<float>& surfaces, const Image<float>& reference, int y, bool reduces,
+void decomposeRow(const SurfaceImage& surfaces, const Image<float>& reference, int y, bool reduces,
                   const PixelProbe& probe, const DecompositionSettings& settings,
                   ErrorDecomposition& result) {
   for (int x = 0; x < surfaces.width(); x += result.stride) {
-    if (!receivesShadow(surfaces.pixel(x, y))) continue;
+    if (!surfaces.receivesShadow(x, y)) continue;
     result.receives(x, y) = 1;
-    const double visibility = surfaces(x, y, 3), truth = reference(x, y);
+    const double visibility = surfaces.visibility(x, y), truth = reference(x, y);
     ErrorParts parts{};
     if (worthDecomposing(visibility, truth, reduces, settings))
       parts = decomposed(visibility, truth, probe(x, y), settings);

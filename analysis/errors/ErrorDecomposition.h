@@ -12,6 +12,7 @@
 #include "analysis/errors/WorstPixel.h"
 #include "analysis/probe/Probe.h"
 #include "filters/core/maps/Image.h"
+#include "filters/core/maps/SurfaceImage.h"
 #include "filters/core/technique/VisibleError.h"
 
 namespace umbra {
@@ -73,9 +74,9 @@ bool worthDecomposing(double visibility, double reference, bool reduces,
                       const DecompositionSettings& settings);
 
 // Takes the pixels of row `y` of a frame apart, into a decomposition of the frame's size. Rows may
-// be taken apart in any order and at the same time. `surfaces` and `reference` are those of
-// ShadowRenderer. `probe` is called only for pixels that are worth it.
-void decomposeRow(const Image<float>& surfaces, const Image<float>& reference, int y, bool reduces,
+// be taken apart in any order and at the same time. `reference` is that of ShadowRenderer. `probe`
+// is called only for pixels that are worth it.
+void decomposeRow(const SurfaceImage& surfaces, const Image<float>& reference, int y, bool reduces,
                   const PixelProbe& probe, const DecompositionSettings& settings,
                   ErrorDecomposition& result);
 ErrorDecomposition emptyDecomposition(int width, int height, int stride = 1);

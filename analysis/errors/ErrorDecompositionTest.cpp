@@ -85,7 +85,8 @@ TEST(ErrorDecomposition, PowerCdfOverDarkens) {
 // A frame of receivers at a depth, each looking at a texel of its own.
 struct Frame {
   DepthMap map = randomMap(24, 16, 4);
-  Image<float> surfaces{24, 16, 4}, reference{24, 16};
+  SurfaceImage surfaces{24, 16};
+  Image<float> reference{24, 16};
   Kernel kernel{KernelShape::Box, 2};
   std::vector<std::shared_ptr<const Technique>> techniques;
 
@@ -94,9 +95,9 @@ struct Frame {
     for (int y = 0; y < 16; ++y)
       for (int x = 0; x < 24; ++x) {
         const Probe probe = probeAt(x, y, StorageFormat::Half);
-        surfaces(x, y, 0) = x % 5 == 0 ? -1.0F : 0.5F;  // every fifth column shows no surface
-        surfaces(x, y, 2) = 0.62F;
-        surfaces(x, y, 3) = float(probe.techniques[0].visibility);
+        SurfacePoint surface{.u = 0.5, .v = 0.0, .receiver = 0.62F};
+        surface.visibility = probe.techniques[0].visibility;
+        if (x % 5 != 0) surfaces.set(x, y, surface);  // every fifth column shows no surface
         reference(x, y) = float(probe.reference);
       }
   }
@@ -131,7 +132,7 @@ TEST(ErrorDecomposition, FramesAddUpPixelByPixelAndOverall) {
       for (int x = 0; x < 24; ++x) {
         EXPECT_EQ(taken.receives(x, y), x % 5 == 0 ? 0 : 1);
         const double error =
-            x % 5 == 0 ? 0.0 : double(frame.surfaces(x, y, 3)) - frame.reference(x, y);
+            x % 5 == 0 ? 0.0 : double(frame.surfaces.visibility(x, y)) - frame.reference(x, y);
         double parts = 0.0;
         for (double value : taken.parts.pixel(x, y)) parts += value;
         EXPECT_NEAR(parts, error, 4e-16) << id << " " << x << "," << y;
@@ -162,7 +163,7 @@ TEST(ErrorDecomposition, ASelectionCountsItsOwnPixels) {
   double expected = 0.0;
   for (int y = 2; y < 5; ++y)
     for (int x = 1; x < 4; ++x)
-      expected += double(frame.surfaces(x, y, 3)) - double(frame.reference(x, y));
+      expected += double(frame.surfaces.visibility(x, y)) - double(frame.reference(x, y));
   const ErrorSums sums = sumsOf(taken, &mask);
   EXPECT_EQ(sums.pixels, 9u);
   EXPECT_NEAR(sums.error, expected / 9.0, 1e-15);

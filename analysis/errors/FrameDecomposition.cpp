@@ -2,7 +2,6 @@
 
 #include "analysis/errors/BleedReduction.h"
 #include "analysis/frame/EveryCore.h"
-#include "analysis/frame/ReceiverPixels.h"
 
 namespace umbra {
 
@@ -32,7 +31,7 @@ ErrorDecomposition decomposeFrame(const DrawnFrame& frame, const Image<float>& r
 
 Image<float> referenceOf(const DrawnFrame& frame, int stride,
                          const std::function<void(double)>& progress) {
-  const Image<float>& surfaces = frame.surfaces;
+  const SurfaceImage& surfaces = frame.surfaces;
   Image<float> reference(surfaces.width(), surfaces.height(), 1, 1.0f);
   const int rows = (surfaces.height() + stride - 1) / stride;
   onEveryCore(
@@ -40,7 +39,7 @@ Image<float> referenceOf(const DrawnFrame& frame, int stride,
       [&](int row) {
         const int y = row * stride;
         for (int x = 0; x < surfaces.width(); x += stride)
-          if (receivesShadow(surfaces.pixel(x, y)))
+          if (surfaces.receivesShadow(x, y))
             reference(x, y) = float(takeProbe(requestAt(frame, x, y)).reference);
       },
       [&](int begun) { progress(double(begun) / rows); });
@@ -56,10 +55,11 @@ int decompositionStride(const DrawnFrame& frame, const Technique& technique,
   double cost = 0.0;
   for (int y = 0; y < frame.surfaces.height(); y += step)
     for (int x = 0; x < frame.surfaces.width(); x += step) {
-      if (!receivesShadow(frame.surfaces.pixel(x, y))) continue;
+      if (!frame.surfaces.receivesShadow(x, y)) continue;
       check();
       const Probe probe = takeProbe(requestAt(frame, x, y));
-      const bool taken = worthDecomposing(frame.surfaces(x, y, 3), probe.reference, reduces, how);
+      const bool taken =
+          worthDecomposing(frame.surfaces.visibility(x, y), probe.reference, reduces, how);
       const double reads = taken ? (reduces ? 2.0 : 1.0) : 0.0;
       cost += (referenceTap + reads) * double(probe.region.texels.size());
     }

@@ -33,27 +33,29 @@ class SpotMeans {
 };
 
 // How far z_r is from linear between a pixel's neighbours, along either axis: near 0 inside a flat
-// or gently curved surface, large at edges, and 1 where there is no light or shadow.
-double bend(const Image<float>& surfaces, int x, int y) {
+// or gently curved surface, large at edges, and 1 where there is no light or shadow, or beside
+// that.
+double bend(const SurfaceImage& surfaces, int x, int y) {
+  if (!surfaces.receivesShadow(x, y)) return 1.0;
+  bool edge = false;
   const auto at = [&](int px, int py) {
-    return surfaces(std::clamp(px, 0, surfaces.width() - 1),
-                    std::clamp(py, 0, surfaces.height() - 1), 2);
-  };
-  const auto inMap = [&](int channel) {
-    return surfaces(x, y, channel) >= 0.0F && surfaces(x, y, channel) <= 1.0F;
+    const int column = std::clamp(px, 0, surfaces.width() - 1);
+    const int row = std::clamp(py, 0, surfaces.height() - 1);
+    const std::optional<SurfacePoint> surface = surfaces.at(column, row);
+    edge = edge || !surface || !surface->facesLight;
+    return surfaces.receiver(column, row);
   };
   const float z = at(x, y);
-  if (!inMap(0) || !inMap(1) || z <= 0.0F) return 1.0;  // negative: turned away from the light
   const float across = at(x - 1, y) + at(x + 1, y) - 2.0F * z;
   const float along = at(x, y - 1) + at(x, y + 1) - 2.0F * z;
-  return std::min(1.0, double(std::max(std::abs(across), std::abs(along))));
+  return edge ? 1.0 : std::min(1.0, double(std::max(std::abs(across), std::abs(along))));
 }
 
 // The pixel with the largest error in the spot about `middle`.
-PicturePixel worstOfSpot(const Image<float>& surfaces, const Image<float>& reference,
+PicturePixel worstOfSpot(const SurfaceImage& surfaces, const Image<float>& reference,
                          PicturePixel middle) {
   PicturePixel worst = middle;
-  const auto error = [&](int x, int y) { return surfaces(x, y, 3) - reference(x, y); };
+  const auto error = [&](int x, int y) { return surfaces.visibility(x, y) - reference(x, y); };
   for (int y = middle.y - reach; y <= middle.y + reach; ++y)
     for (int x = middle.x - reach; x <= middle.x + reach; ++x)
       if (error(x, y) > error(worst.x, worst.y)) worst = {x, y};
@@ -62,11 +64,11 @@ PicturePixel worstOfSpot(const Image<float>& surfaces, const Image<float>& refer
 
 }  // namespace
 
-std::optional<PicturePixel> worstBleeding(const Image<float>& surfaces,
+std::optional<PicturePixel> worstBleeding(const SurfaceImage& surfaces,
                                           const Image<float>& reference) {
   const int width = surfaces.width(), height = surfaces.height();
   const SpotMeans errors(width, height, [&](int x, int y) {
-    return double(surfaces(x, y, 3)) - double(reference(x, y));
+    return double(surfaces.visibility(x, y)) - double(reference(x, y));
   });
   const SpotMeans references(width, height, [&](int x, int y) { return double(reference(x, y)); });
   const SpotMeans bends(width, height, [&](int x, int y) { return bend(surfaces, x, y); });

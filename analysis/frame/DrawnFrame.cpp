@@ -5,22 +5,6 @@
 
 namespace umbra {
 
-SurfacePoint surfaceAt(const Image<float>& surfaces, const Image<float>& footprints, int x, int y) {
-  const auto values = surfaces.pixel(x, y);
-  SurfacePoint surface;
-  surface.u = values[0];
-  surface.v = values[1];
-  surface.receiver = std::abs(values[2]);
-  surface.visibility = values[3];
-  surface.facesLight = values[2] > 0.0f;
-  if (footprints.empty()) return surface;
-  const auto footprint = footprints.pixel(x, y);
-  surface.footprint = {footprint[0], footprint[1], int(footprint[2])};
-  surface.cascade = int(footprint[3]);
-  surface.nextCascade = footprint[3] - float(surface.cascade);
-  return surface;
-}
-
 ProbeRequest requestOf(const FrameSettings& settings, const std::vector<Cascade>& cascades,
                        const MapOf& mapOf, const SurfacePoint& surface) {
   const int cascade = surface.cascade;
@@ -41,8 +25,7 @@ ProbeRequest requestOf(const FrameSettings& settings, const std::vector<Cascade>
 
 ProbeRequest requestAt(const DrawnFrame& frame, int x, int y) {
   const auto mapOf = [&](int cascade) -> const DepthMap& { return *frame.maps[cascade]; };
-  return requestOf(frame.settings, frame.cascades, mapOf,
-                   surfaceAt(frame.surfaces, frame.footprints, x, y));
+  return requestOf(frame.settings, frame.cascades, mapOf, frame.surfaces.at(x, y).value());
 }
 
 double tapsOf(const DrawnFrame& frame, const std::function<bool(int x, int y)>& counts) {

@@ -7,22 +7,17 @@
 #include "analysis/probe/Probe.h"
 #include "filters/core/maps/Cascades.h"
 #include "filters/core/maps/Image.h"
-#include "filters/core/maps/SurfacePoint.h"
+#include "filters/core/maps/SurfaceImage.h"
 #include "filters/core/settings/FrameSettings.h"
 
 namespace umbra {
 
 struct DrawnFrame {
   FrameSettings settings;
-  // Both are those of ShadowRenderer. Footprints are empty where the frame's reads have none.
-  Image<float> surfaces, footprints;
+  SurfaceImage surfaces;
   std::vector<Cascade> cascades;
   std::vector<const DepthMap*> maps;  // one for each cascade; they must outlive what refers to them
 };
-
-// The surface of a pixel that shows one, without its place in the world; both images are as in
-// DrawnFrame.
-SurfacePoint surfaceAt(const Image<float>& surfaces, const Image<float>& footprints, int x, int y);
 
 // Gives a cascade's map; it is called only for maps that are read.
 using MapOf = std::function<const DepthMap&(int cascade)>;

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "analysis/errors/FrameDecomposition.h"
-#include "analysis/frame/ReceiverPixels.h"
 #include "analysis/probe/TestMaps.h"
 
 namespace umbra {
@@ -24,17 +23,18 @@ struct Frame {
     drawn.settings.map.format = StorageFormat::Half;
     drawn.maps = {&map};
     drawn.cascades.resize(1);
-    drawn.surfaces = Image<float>(width, height, 4);
+    drawn.surfaces = SurfaceImage(width, height);
     reference = Image<float>(width, height);
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) {
-        drawn.surfaces(x, y, 0) = float(x) / width;
-        drawn.surfaces(x, y, 1) = float(y) / height;
-        drawn.surfaces(x, y, 2) = x % 5 == 0 ? -0.62F : 0.62F;
+        SurfacePoint surface{.u = float(x) / width, .v = float(y) / height, .receiver = 0.62F};
+        surface.facesLight = x % 5 != 0;
+        drawn.surfaces.set(x, y, surface);
         ProbeRequest request = requestAt(drawn, x, y);
         request.techniques = {technique};
         const Probe probe = takeProbe(request);
-        drawn.surfaces(x, y, 3) = float(probe.techniques[0].visibility);
+        surface.visibility = probe.techniques[0].visibility;
+        drawn.surfaces.set(x, y, surface);
         reference(x, y) = float(probe.reference);
       }
   }
@@ -69,10 +69,14 @@ TEST(DrawnFrame, FootprintsAndCascadesAreThePixelsOwn) {
   frame.drawn.maps = {&frame.map, &frame.next};
   frame.drawn.cascades.resize(2);
   frame.drawn.cascades[1].side = 0.5;
-  frame.drawn.footprints = Image<float>(width, height, 4);
-  const float inSeam[] = {6.0F, 2.0F, 3.0F, 0.25F}, inNext[] = {4.0F, 1.0F, 2.0F, 1.0F};
-  std::copy(inSeam, inSeam + 4, frame.drawn.footprints.pixel(3, 4).begin());
-  std::copy(inNext, inNext + 4, frame.drawn.footprints.pixel(4, 4).begin());
+  frame.drawn.surfaces = SurfaceImage(width, height, true);
+  SurfacePoint inSeam{.u = 0.1, .v = 0.2, .receiver = 0.62}, inNext = inSeam;
+  inSeam.footprint = {6.0, 2.0, 3};
+  inSeam.nextCascade = 0.25;
+  inNext.footprint = {4.0, 1.0, 2};
+  inNext.cascade = 1;
+  frame.drawn.surfaces.set(3, 4, inSeam);
+  frame.drawn.surfaces.set(4, 4, inNext);
   const ProbeRequest seam = requestAt(frame.drawn, 3, 4);
   EXPECT_EQ(seam.read.footprint, (Footprint{6.0, 2.0, 3}));
   EXPECT_EQ(&seam.map, &frame.map);
@@ -115,7 +119,7 @@ TEST(FrameDecomposition, TakesEveryPixelAsOneTakesIt) {
     for (int x = 0; x < width; ++x) {
       ASSERT_EQ(taken.receives(x, y), x % 5 == 0 ? 0 : 1);
       if (!taken.receives(x, y)) continue;
-      const double v = frame.drawn.surfaces(x, y, 3), truth = frame.reference(x, y);
+      const double v = frame.drawn.surfaces.visibility(x, y), truth = frame.reference(x, y);
       if (!worthDecomposing(v, truth, true, {})) continue;
       ProbeRequest request = requestAt(frame.drawn, x, y);
       request.format = StorageFormat::Double;
@@ -159,12 +163,10 @@ TEST(FrameDecomposition, TheReferenceIsThatOfEveryPixelsProbe) {
 
 TEST(FrameDecomposition, ItsGridIsAsWideAsTheTapsAsk) {
   const Frame frame("vsm");
-  const auto receives = [&](int x, int y) {
-    return receivesShadow(frame.drawn.surfaces.pixel(x, y));
-  };
+  const auto receives = [&](int x, int y) { return frame.drawn.surfaces.receivesShadow(x, y); };
   const auto taken = [&](int x, int y) {
-    return receives(x, y) &&
-           worthDecomposing(frame.drawn.surfaces(x, y, 3), frame.reference(x, y), false, {});
+    return receives(x, y) && worthDecomposing(frame.drawn.surfaces.visibility(x, y),
+                                              frame.reference(x, y), false, {});
   };
   const double taps = tapsOf(frame.drawn, taken) + 0.1 * tapsOf(frame.drawn, receives);
   ASSERT_GT(tapsOf(frame.drawn, taken), 0.0);

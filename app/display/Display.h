@@ -24,8 +24,7 @@ class HeadlessFrame {
   virtual void render(const Technique& technique, ViewMode view) = 0;
   // These read back the last frame, as in ShadowRenderer.
   virtual Image<std::uint8_t> colour() = 0;
-  virtual Image<float> surfaces() = 0;
-  virtual Image<float> footprints() = 0;
+  virtual SurfaceImage surfaces() = 0;
   virtual std::optional<SurfacePoint> surfaceAt(int x, int y) = 0;
   virtual Image<float> reference() = 0;
   virtual const DepthMap& depthMap(int cascade = 0) = 0;

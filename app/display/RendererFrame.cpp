@@ -33,11 +33,8 @@ void RendererFrame::render(const Technique& technique, ViewMode view) {
 Image<std::uint8_t> RendererFrame::colour() {
   return checked(renderer_.colour());
 }
-Image<float> RendererFrame::surfaces() {
+SurfaceImage RendererFrame::surfaces() {
   return checked(renderer_.surfaces());
-}
-Image<float> RendererFrame::footprints() {
-  return checked(renderer_.footprints());
 }
 Image<float> RendererFrame::reference() {
   return checked(renderer_.reference());
@@ -62,7 +59,7 @@ Image<float> RendererFrame::channels(BakeStage stage) {
 }
 
 std::optional<Pixel> RendererFrame::plainestBleeding() {
-  const Image<float> points = surfaces();
+  const SurfaceImage points = surfaces();
   const auto worst = worstBleeding(points, reference());
   if (!worst) return std::nullopt;
   return Pixel{worst->x, worst->y};

@@ -17,8 +17,7 @@ class RendererFrame final : public HeadlessFrame {
 
   void render(const Technique& technique, ViewMode view) override;
   Image<std::uint8_t> colour() override;
-  Image<float> surfaces() override;
-  Image<float> footprints() override;
+  SurfaceImage surfaces() override;
   std::optional<SurfacePoint> surfaceAt(int x, int y) override;
   Image<float> reference() override;
   const DepthMap& depthMap(int cascade = 0) override;

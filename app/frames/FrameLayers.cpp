@@ -5,8 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "analysis/frame/ReceiverPixels.h"
-
 namespace umbra {
 namespace {
 
@@ -25,18 +23,19 @@ Image<float> linearChannel(const Image<std::uint8_t>& colour, int channel) {
 
 }  // namespace
 
-Image<float> errorOf(const Image<float>& surfaces, const Image<float>& reference) {
+Image<float> errorOf(const SurfaceImage& surfaces, const Image<float>& reference) {
   Image<float> error(surfaces.width(), surfaces.height());
   for (int y = 0; y < surfaces.height(); ++y)
     for (int x = 0; x < surfaces.width(); ++x)
-      if (receivesShadow(surfaces.pixel(x, y))) error(x, y) = surfaces(x, y, 3) - reference(x, y);
+      if (surfaces.receivesShadow(x, y)) error(x, y) = surfaces.visibility(x, y) - reference(x, y);
   return error;
 }
 
 void FrameLayers::add(const Technique& technique, HeadlessFrame& frame) {
   const std::string prefix = std::string(technique.info().id) + ".";
   const Image<std::uint8_t> colour = frame.colour();
-  const Image<float> surfaces = frame.surfaces(), reference = frame.reference();
+  const SurfaceImage surfaces = frame.surfaces();
+  const Image<float> reference = frame.reference();
   constexpr std::array<const char*, 3> colours{"R", "G", "B"};
   for (int c = 0; c < 3; ++c) {
     const Image<float> linear = linearChannel(colour, c);
@@ -44,12 +43,12 @@ void FrameLayers::add(const Technique& technique, HeadlessFrame& frame) {
     file_.add(prefix + colours[c], linear);
   }
   if (std::exchange(first_, false)) {
-    file_.add("u", channelOf(surfaces, 0));
-    file_.add("v", channelOf(surfaces, 1));
-    file_.add("receiver", channelOf(surfaces, 2));
+    file_.add("u", channelOf(surfaces.coded(), 0));
+    file_.add("v", channelOf(surfaces.coded(), 1));
+    file_.add("receiver", channelOf(surfaces.coded(), 2));
     file_.add("reference", reference);
   }
-  file_.add(prefix + "visibility", channelOf(surfaces, 3));
+  file_.add(prefix + "visibility", channelOf(surfaces.coded(), 3));
   file_.add(prefix + "error", errorOf(surfaces, reference));
   file_.addParameters(technique);
 }

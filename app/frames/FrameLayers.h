@@ -24,8 +24,7 @@ class FrameLayers {
   bool first_ = true;
 };
 
-// visibility − reference where a pixel receives shadow, else 0. `surfaces` is that of
-// HeadlessFrame.
-Image<float> errorOf(const Image<float>& surfaces, const Image<float>& reference);
+// visibility − reference where a pixel receives shadow, else 0.
+Image<float> errorOf(const SurfaceImage& surfaces, const Image<float>& reference);
 
 }  // namespace umbra

@@ -3,7 +3,7 @@
 namespace umbra {
 
 DrawnFrame drawnFrame(HeadlessFrame& frame, const FrameSettings& settings) {
-  DrawnFrame drawn{settings, frame.surfaces(), frame.footprints(), frame.cascades(), {}};
+  DrawnFrame drawn{settings, frame.surfaces(), frame.cascades(), {}};
   for (int i = 0; i < int(drawn.cascades.size()); ++i) drawn.maps.push_back(&frame.depthMap(i));
   return drawn;
 }

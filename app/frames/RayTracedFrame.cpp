@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "analysis/errors/BleedReduction.h"
 #include "analysis/frame/EveryCore.h"
-#include "analysis/frame/ReceiverPixels.h"
 #include "app/frames/FrameReads.h"
 #include "app/output/Cancellation.h"
 
@@ -24,15 +24,15 @@ RayTracedVisibility lightRays(HeadlessFrame& frame, const Scene& scene,
 RayTracedReference rayTracedReference(HeadlessFrame& frame, const Scene& scene,
                                       const FrameSettings& settings) {
   const DrawnFrame drawn = drawnFrame(frame, settings);
-  const Image<float>& surfaces = drawn.surfaces;
-  const auto receives = [&](int x, int y) { return receivesShadow(surfaces.pixel(x, y)); };
+  const SurfaceImage& surfaces = drawn.surfaces;
+  const auto receives = [&](int x, int y) { return surfaces.receivesShadow(x, y); };
   const int cascades = int(drawn.cascades.size());
   const int side = RayTracedVisibility::sideFor(drawn.maps.front()->width(), cascades);
   // A penumbra has many texels: 4 × 4 rays in each leave an error far below a filter's.
   const RayTracedVisibility rays = lightRays(frame, scene, settings, std::min(side, 4));
   const int stride = strideFor(tapsOf(drawn, receives), mostTaps);
-  RayTracedReference result{
-      Image<float>(surfaces.width(), surfaces.height(), 1, RayTracedReference::absent), stride};
+  RayTracedReference result{Image<float>(surfaces.width(), surfaces.height(), 1, noReference),
+                            stride};
   const auto trace = [&](int row) {
     const int y = row * stride;
     for (int x = 0; x < surfaces.width(); x += stride) {

@@ -10,9 +10,7 @@ namespace umbra {
 // The ray-traced reference of a frame's pixels. In a frame that reads very many taps, only every
 // `stride`-th pixel of every `stride`-th row has one.
 struct RayTracedReference {
-  static constexpr float absent = -1.0f;
-
-  Image<float> visibility;  // `absent` where no shadow is received or the pixel is left out
+  Image<float> visibility;  // noReference where no shadow is received or the pixel is left out
   int stride = 1;
 };
 

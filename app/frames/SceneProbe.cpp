@@ -2,7 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/frame/ReceiverPixels.h"
 #include "analysis/surfaces/SurfaceRead.h"
 #include "analysis/surfaces/SurfaceSpot.h"
 #include "app/frames/FrameReads.h"
@@ -17,10 +16,6 @@ std::string textOf(Pixel pixel) {
   return std::to_string(pixel.x) + "," + std::to_string(pixel.y);
 }
 
-bool isInMap(const SurfacePoint& surface) {
-  return surface.u >= 0 && surface.u <= 1 && surface.v >= 0 && surface.v <= 1;
-}
-
 SurfacePoint surfaceOf(HeadlessFrame& frame, const Session& session, Pixel pixel) {
   if (pixel.x >= session.width || pixel.y >= session.height)
     throw Error(ErrorKind::BadCommandLine,
@@ -32,7 +27,7 @@ SurfacePoint surfaceOf(HeadlessFrame& frame, const Session& session, Pixel pixel
     throw Error(
         ErrorKind::BadCommandLine,
         "--pixel: " + textOf(pixel) + " shows no surface; choose one on an object, or 'worst'");
-  if (!isInMap(*surface))
+  if (!surface->isInMap())
     throw Error(ErrorKind::BadCommandLine,
                 "--pixel: " + textOf(pixel) +
                     " lies outside the shadow map; choose one inside, or 'worst'");
@@ -87,7 +82,7 @@ KeptPlace placeOf(HeadlessFrame& frame, const Scene& scene, const Session& sessi
   const std::optional<Pixel> pixel = pixelIn(picture, point);
   const auto shown = pixel ? frame.surfaceAt(pixel->x, pixel->y) : std::nullopt;
   const bool seen = shown && isSeenAt(picture, point, spot->normal, shown->world);
-  if (seen && isInMap(*shown) && isShownAt(picture, point, shown->world))
+  if (seen && shown->isInMap() && isShownAt(picture, point, shown->world))
     return {{*pixel, {*shown}}, {}};
   const Eigen::AlignedBox3d bounds = scene.lightBounds();
   const LightFrame light = fitLightFrame(session.light.value_or(scene.light), bounds);
@@ -157,13 +152,14 @@ std::vector<KeptSceneProbe> probeKept(HeadlessFrame& frame, const Scene& scene,
 Pixel worstBleeding(HeadlessFrame& frame, const Technique& technique) {
   frame.render(technique, ViewMode::Shaded);
   if (const std::optional<Pixel> plain = frame.plainestBleeding()) return *plain;
-  const Image<float> surfaces = frame.surfaces(), reference = frame.reference();
+  const SurfaceImage surfaces = frame.surfaces();
+  const Image<float> reference = frame.reference();
   std::optional<Pixel> worst;
   float largest = 0.0f;
   for (int y = 0; y < surfaces.height(); ++y)
     for (int x = 0; x < surfaces.width(); ++x) {
-      if (!receivesShadow(surfaces.pixel(x, y))) continue;
-      const float error = surfaces(x, y, 3) - reference(x, y);
+      if (!surfaces.receivesShadow(x, y)) continue;
+      const float error = surfaces.visibility(x, y) - reference(x, y);
       if (worst && error <= largest) continue;
       worst = Pixel{x, y};
       largest = error;

@@ -6,6 +6,7 @@
 #include "MipLevel_comp_glsl.h"
 #include "Reduce_glsl.h"
 #include "Store_glsl.h"
+#include "Surface_glsl.h"
 #include "WeightedReduce_comp_glsl.h"
 #include "filters/core/maps/MipLevels.h"
 #include "filters/core/support/Error.h"
@@ -293,8 +294,8 @@ std::vector<float> ChannelBaker::evaluate(const gl::Texture& surfaces,
   reads.cascades = cascades_;
   const gl::Texture result(GL_RG32F, surfaces.width(), surfaces.height());
   const std::string name = "visibility of " + std::string(technique.info().id);
-  const GLuint program =
-      programs_.compute(name, computeSource(technique, reads, Evaluate_comp_glsl));
+  const GLuint program = programs_.compute(
+      name, computeSource(technique, reads, std::string(Surface_glsl) + Evaluate_comp_glsl));
   setTechniqueUniforms(program, technique, readFormat(format_, reads));
   setReadUniforms(program, reads);
   const std::pair<const char*, GLuint> textures[] = {

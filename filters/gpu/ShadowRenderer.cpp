@@ -8,8 +8,6 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <Eigen/LU>
-#include <array>
-#include <cmath>
 
 #include "filters/core/support/Error.h"
 #include "filters/gpu/CascadeLines.h"
@@ -21,12 +19,19 @@
 namespace umbra {
 namespace {
 
-// Four floats of one pixel of a picture.
-std::array<float, 4> pixelOf(const gl::Texture& picture, int x, int y) {
-  std::array<float, 4> values{};
-  glGetTextureSubImage(picture.name(), 0, x, y, 0, 1, 1, 1, GL_RGBA, GL_FLOAT, sizeof values,
-                       values.data());
-  return values;
+// One pixel of a texture of four floats; nothing of none.
+Image<float> pixelOf(const gl::Texture& picture, int x, int y) {
+  if (!picture) return {};
+  Image<float> pixel(1, 1, 4);
+  glGetTextureSubImage(picture.name(), 0, x, y, 0, 1, 1, 1, GL_RGBA, GL_FLOAT,
+                       GLsizei(pixel.values().size_bytes()), pixel.values().data());
+  return pixel;
+}
+
+// All of it, the top row first.
+Image<float> imageOf(const gl::Texture& picture) {
+  if (!picture) return {};
+  return gl::flipped(picture.width(), picture.height(), 4, picture.read(4));
 }
 
 }  // namespace
@@ -182,43 +187,26 @@ Image<std::uint8_t> ShadowRenderer::colour() {
   return image;
 }
 
-Image<float> ShadowRenderer::surfaces() {
+SurfaceImage ShadowRenderer::surfaces() {
   implementation_->requireFrame();
-  const gl::Texture& texture = implementation_->pass->GetShading().GetSurfaces();
-  return gl::flipped(texture.width(), texture.height(), 4, texture.read(4));
-}
-
-Image<float> ShadowRenderer::footprints() {
-  implementation_->requireFrame();
-  const gl::Texture& texture = implementation_->pass->GetShading().GetFootprints();
-  if (!texture) return {};
-  return gl::flipped(texture.width(), texture.height(), 4, texture.read(4));
+  const vtkUmbraShadingPass& shading = implementation_->pass->GetShading();
+  return {imageOf(shading.GetSurfaces()), imageOf(shading.GetFootprints())};
 }
 
 std::optional<SurfacePoint> ShadowRenderer::surfaceAt(int x, int y) {
   Implementation& my = *implementation_;
   my.requireFrame();
-  const gl::Texture& surfaces = my.pass->GetShading().GetSurfaces();
+  const vtkUmbraShadingPass& shading = my.pass->GetShading();
+  const gl::Texture& surfaces = shading.GetSurfaces();
   if (x < 0 || y < 0 || x >= surfaces.width() || y >= surfaces.height()) return {};
   const int row = surfaces.height() - 1 - y;
-  const std::array<float, 4> values = pixelOf(surfaces, x, row);
-  if (values[0] < 0.0f) return {};
+  const SurfaceImage pixel(pixelOf(surfaces, x, row), pixelOf(shading.GetFootprints(), x, row));
+  std::optional<SurfacePoint> point = pixel.at(0, 0);
+  if (!point) return {};
   float depth = 1.0f;
-  glGetTextureSubImage(my.pass->GetShading().GetDepth().name(), 0, x, row, 0, 1, 1, 1,
-                       GL_DEPTH_COMPONENT, GL_FLOAT, sizeof depth, &depth);
-  SurfacePoint point;
-  point.u = values[0];
-  point.v = values[1];
-  point.receiver = std::abs(values[2]);
-  point.visibility = values[3];
-  point.facesLight = !std::signbit(values[2]);
-  point.world = my.unproject(x, row, depth);
-  if (const gl::Texture& footprints = my.pass->GetShading().GetFootprints()) {
-    const std::array<float, 4> footprint = pixelOf(footprints, x, row);
-    point.footprint = {footprint[0], footprint[1], int(footprint[2])};
-    point.cascade = int(footprint[3]);
-    point.nextCascade = footprint[3] - float(point.cascade);
-  }
+  glGetTextureSubImage(shading.GetDepth().name(), 0, x, row, 0, 1, 1, 1, GL_DEPTH_COMPONENT,
+                       GL_FLOAT, sizeof depth, &depth);
+  point->world = my.unproject(x, row, depth);
   return point;
 }
 

@@ -11,7 +11,7 @@
 #include "filters/core/maps/Cascades.h"
 #include "filters/core/maps/Image.h"
 #include "filters/core/maps/Region.h"
-#include "filters/core/maps/SurfacePoint.h"
+#include "filters/core/maps/SurfaceImage.h"
 #include "filters/core/scene/Light.h"
 #include "filters/core/scene/Scene.h"
 #include "filters/core/settings/FrameSettings.h"
@@ -71,13 +71,8 @@ class ShadowRenderer {
 
   // These read back the last frame and its bake. Pixel (0, 0) is the top-left one.
   Image<std::uint8_t> colour();  // RGB, as shown
-  // Four channels: u, v, z_r, visibility. u < 0 where there is no surface; z_r is negated where
-  // the surface faces away from the light, and (u, v) leave [0,1] outside the light's frame.
-  Image<float> surfaces();
-  // Four channels, as in SurfacePoint: x, y and probes of each pixel's footprint, then its cascade
-  // plus the weight of the next one. Empty where the frame's reads have no footprint and there is
-  // one map.
-  Image<float> footprints();
+  SurfaceImage surfaces();
+  // One pixel's, with its place in the world; none outside the picture and without a surface.
   std::optional<SurfacePoint> surfaceAt(int x, int y);
   // Exact percentage-closer filtering of every pixel of the last frame over the region that the
   // frame's read averages; 1 where there is no surface. One channel.

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "FullScreen_vert_glsl.h"
+#include "Surface_glsl.h"
 #include "View_frag_glsl.h"
 #include "filters/core/support/Error.h"
 #include "filters/core/technique/Composition.h"
@@ -314,7 +315,7 @@ void vtkUmbraFramePass::Show(vtkRenderer* renderer) {
   const std::string fragment = "#version 430\n#define UMBRA_VIEW " +
                                std::to_string(viewNumber(this->Settings.view, *this->Adapted)) +
                                "\n" + techniqueSource(*this->Adapted, this->Reads()) +
-                               View_frag_glsl;
+                               Surface_glsl + View_frag_glsl;
   const GLuint program = this->Programs.screen("view", FullScreen_vert_glsl, fragment);
   int width = 0, height = 0, left = 0, bottom = 0;
   renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);

@@ -42,7 +42,7 @@ class vtkUmbraShadingPass : public vtkOpenGLRenderPass {
 
   // Bottom row first, as OpenGL has it.
   const gl::Texture& GetColour() const { return this->Colour; }      // 8-bit RGBA
-  const gl::Texture& GetSurfaces() const { return this->Surfaces; }  // u, v, z_r, visibility
+  const gl::Texture& GetSurfaces() const { return this->Surfaces; }  // as SurfaceImage takes them
   // x, y, probes, cascade + weight of the next; written only where the reads need footprints.
   const gl::Texture& GetFootprints() const { return this->Footprints; }
   const gl::Texture& GetDepth() const { return this->Depth; }  // the camera's, [0,1]

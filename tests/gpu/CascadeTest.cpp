@@ -24,7 +24,7 @@ TEST_F(Cascaded, CascadesOfTheWholeMapChangeNothing) {
   const auto scene = test::slabAndBall();
   scene->camera.position = {0, 25, 50};  // so far away that each part's sphere holds everything
   show(scene, "vsm");
-  const Image<float> one = renderer->surfaces();
+  const SurfaceImage one = renderer->surfaces();
   settings.map.cascades.splitLambda = 0.9;
   settings.map.cascades.frozen = test::slabOverGround()->camera;
   showAgain();
@@ -34,13 +34,13 @@ TEST_F(Cascaded, CascadesOfTheWholeMapChangeNothing) {
   settings.map.cascades = {.count = 4};
   showAgain();
   for (const Cascade& cascade : renderer->cascades()) ASSERT_EQ(cascade.side, 1.0);
-  const Image<float> four = renderer->surfaces();
+  const SurfaceImage four = renderer->surfaces();
   int seams = 0;
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      for (int c = 0; c < 3; ++c) ASSERT_EQ(four(x, y, c), one(x, y, c));
+      for (int c = 0; c < 3; ++c) ASSERT_EQ(four.coded()(x, y, c), one.coded()(x, y, c));
       // Where two equal visibilities are mixed, their mean is rounded.
-      ASSERT_NEAR(four(x, y, 3), one(x, y, 3), 4 * test::eps);
+      ASSERT_NEAR(four.visibility(x, y), one.visibility(x, y), 4 * test::eps);
       seams += renderer->surfaceAt(x, y).value_or(SurfacePoint{}).nextCascade > 0.0;
     }
   }
@@ -50,25 +50,26 @@ TEST_F(Cascaded, CascadesOfTheWholeMapChangeNothing) {
 TEST_F(Cascaded, FootprintsReadAtOnceAreThoseOfEveryPixel) {
   settings.read.filter = ReadFilter::Anisotropic;
   show(test::avenue(), "vsm");
-  const Image<float> footprints = renderer->footprints();
-  ASSERT_EQ(footprints.channels(), 4);
-  ASSERT_EQ(footprints.width(), width);
+  const SurfaceImage image = renderer->surfaces();
+  ASSERT_TRUE(image.wide());
+  ASSERT_EQ(image.width(), width);
   int surfaces = 0;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const auto point = renderer->surfaceAt(x, y);
+      const auto read = image.at(x, y);
+      ASSERT_EQ(read.has_value(), point.has_value());
       if (!point) continue;
       ++surfaces;
-      ASSERT_EQ(footprints(x, y, 0), float(point->footprint.x)) << x << "," << y;
-      ASSERT_EQ(footprints(x, y, 1), float(point->footprint.y)) << x << "," << y;
-      ASSERT_EQ(footprints(x, y, 2), float(point->footprint.probes)) << x << "," << y;
-      ASSERT_EQ(footprints(x, y, 3), float(point->cascade + point->nextCascade));
+      ASSERT_EQ(read->footprint, point->footprint) << x << "," << y;
+      ASSERT_EQ(read->cascade, point->cascade) << x << "," << y;
+      ASSERT_EQ(read->nextCascade, point->nextCascade) << x << "," << y;
     }
   EXPECT_GT(surfaces, 1000);
   settings.map.cascades.count = 1;
   settings.read.filter = ReadFilter::Bilinear;
   showAgain();
-  EXPECT_TRUE(renderer->footprints().empty());
+  EXPECT_FALSE(renderer->surfaces().wide());
 }
 
 TEST_F(Cascaded, EveryPixelIsDrawnFromTheCascadeOfItsDistance) {
@@ -212,13 +213,14 @@ TEST_F(Cascaded, EveryTechniqueStaysWithinItsBounds) {
       scene->light.kind = kind;
       scene->light.halfAngle = 50;
       show(scene, each->info().id);
-      const Image<float> surfaces = renderer->surfaces();
+      const SurfaceImage surfaces = renderer->surfaces();
       int shadowed = 0;
       for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-          ASSERT_GE(surfaces(x, y, 3), 0.0f) << x << "," << y;  // also fails for a NaN
-          ASSERT_LE(surfaces(x, y, 3), 1.0f) << x << "," << y;
-          shadowed += surfaces(x, y, 3) < 0.99f;
+          // Also fails for a NaN.
+          ASSERT_GE(surfaces.visibility(x, y), 0.0f) << x << "," << y;
+          ASSERT_LE(surfaces.visibility(x, y), 1.0f) << x << "," << y;
+          shadowed += surfaces.visibility(x, y) < 0.99f;
         }
       }
       EXPECT_GT(shadowed, 100);
@@ -237,8 +239,8 @@ TEST_F(Cascaded, SharpenWhatIsNear) {
     show(scene, id);
     return renderer->surfaces();
   };
-  const Image<float> truth = visibilities("hard", MapSettings::largest, 1);
-  const Image<float> one = visibilities("vsm", 256, 1), three = visibilities("vsm", 256, 3);
+  const SurfaceImage truth = visibilities("hard", MapSettings::largest, 1);
+  const SurfaceImage one = visibilities("vsm", 256, 1), three = visibilities("vsm", 256, 3);
   double oneError = 0.0, threeError = 0.0;
   int near = 0;
   for (int y = 0; y < height; ++y) {
@@ -246,8 +248,8 @@ TEST_F(Cascaded, SharpenWhatIsNear) {
       const auto point = renderer->surfaceAt(x, y);
       if (!point || point->cascade != 0 || !point->facesLight) continue;
       ++near;
-      oneError += std::pow(one(x, y, 3) - truth(x, y, 3), 2);
-      threeError += std::pow(three(x, y, 3) - truth(x, y, 3), 2);
+      oneError += std::pow(one.visibility(x, y) - truth.visibility(x, y), 2);
+      threeError += std::pow(three.visibility(x, y) - truth.visibility(x, y), 2);
     }
   }
   EXPECT_GT(near, 5000);
@@ -321,7 +323,7 @@ TEST_F(Cascaded, AFrozenViewIsDrawnAndCastsNoShadow) {
   scene->camera = above;
   settings.map.cascades.frozen = walker;
   show(scene, "vsm");
-  const Image<float> surfaces = renderer->surfaces();
+  const SurfaceImage surfaces = renderer->surfaces();
   const Image<std::uint8_t> colour = renderer->colour();
   // The point lies on an edge of the first part's far end, in front of everything behind it.
   const Cascade& first = renderer->cascades()[0];

@@ -49,12 +49,12 @@ TEST_P(CatalogueScene, HasLightAndShadowInEveryTechnique) {
     renderer->render();
     keepPicture(GetParam() + "-" + id);
     int lit = 0, dark = 0, surfaces = 0;
-    const Image<float> picture = renderer->surfaces();
+    const SurfaceImage picture = renderer->surfaces();
     for (int y = 0; y < picture.height(); ++y) {
       for (int x = 0; x < picture.width(); ++x) {
-        if (picture(x, y, 0) < 0.0f) continue;
+        if (!picture.shows(x, y)) continue;
         ++surfaces;
-        const float visibility = picture(x, y, 3);
+        const float visibility = picture.visibility(x, y);
         ASSERT_GE(visibility, 0.0f);
         ASSERT_LE(visibility, 1.0f);
         if (visibility > 0.9f) ++lit;

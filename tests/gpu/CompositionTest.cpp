@@ -44,12 +44,13 @@ std::string describe(const FrameSettings& s) {
 class Composition : public test::FrameFixture, public testing::WithParamInterface<std::string> {
  protected:
   void expectSane() {
-    const Image<float> surfaces = renderer->surfaces(), reference = renderer->reference();
+    const SurfaceImage surfaces = renderer->surfaces();
+    const Image<float> reference = renderer->reference();
     for (int y = 0; y < surfaces.height(); ++y) {
       for (int x = 0; x < surfaces.width(); ++x) {
-        for (int c = 0; c < 4; ++c) ASSERT_TRUE(std::isfinite(surfaces(x, y, c)));
-        ASSERT_GE(surfaces(x, y, 3), 0.0f) << x << "," << y;
-        ASSERT_LE(surfaces(x, y, 3), 1.0f) << x << "," << y;
+        for (int c = 0; c < 4; ++c) ASSERT_TRUE(std::isfinite(surfaces.coded()(x, y, c)));
+        ASSERT_GE(surfaces.visibility(x, y), 0.0f) << x << "," << y;
+        ASSERT_LE(surfaces.visibility(x, y), 1.0f) << x << "," << y;
         ASSERT_GE(reference(x, y), 0.0f) << x << "," << y;
         ASSERT_LE(reference(x, y), 1.0f) << x << "," << y;
       }
@@ -71,10 +72,10 @@ class Composition : public test::FrameFixture, public testing::WithParamInterfac
     return int(2 * std::log2(n) * n * n / (taps * taps));
   }
 
-  void expectBound(const Image<float>& surfaces, const Image<float>& reference) {
+  void expectBound(const SurfaceImage& surfaces, const Image<float>& reference) {
     for (int y = 2; y < surfaces.height(); y += 7) {
       for (int x = y % 11; x < surfaces.width(); x += 11) {
-        if (surfaces(x, y, 3) >= reference(x, y)) continue;
+        if (surfaces.visibility(x, y) >= reference(x, y)) continue;
         // A bound may be lower only by rounding, in exactly this read.
         const auto point = renderer->surfaceAt(x, y);
         ASSERT_TRUE(point);
@@ -87,7 +88,7 @@ class Composition : public test::FrameFixture, public testing::WithParamInterfac
         const double tolerance =
             test::visibilityError(*technique, StorageFormat::Float, {channels, region},
                                   point->receiver, roundingsOfRead());
-        ASSERT_GE(surfaces(x, y, 3), reference(x, y) - tolerance) << x << "," << y;
+        ASSERT_GE(surfaces.visibility(x, y), reference(x, y) - tolerance) << x << "," << y;
       }
     }
   }

@@ -83,7 +83,7 @@ TEST_F(FilteredShading, FootprintsAreTheWayToTheNextPixel) {
   const auto scene = std::make_shared<Scene>(*test::slabOverGround());
   scene->objects.resize(1);  // one surface, so that neighbouring pixels show it, too
   show(scene, "vsm");
-  const Image<float> surfaces = renderer->surfaces();
+  const Image<float> surfaces = renderer->surfaces().coded();
   const double size = settings.map.size;
   int compared = 0;
   for (int y = 0; y + 1 < height; y += 2) {
@@ -137,12 +137,12 @@ TEST_F(FilteredShading, APlaneCastsNoShadowOnItself) {
           scene->light.halfAngle = 50;
           scene->light.position = {9 * std::cos(angle), 9 * std::sin(angle), 3};
           show(scene, id);
-          const Image<float> surfaces = renderer->surfaces();
+          const SurfaceImage surfaces = renderer->surfaces();
           for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x)
               // The weights of all taps add up to 1 but for their rounding: at most 64 texels a
               // row.
-              ASSERT_NEAR(surfaces(x, y, 3), 1.0, 2 * (64 + 2 + 4) * eps)
+              ASSERT_NEAR(surfaces.visibility(x, y), 1.0, 2 * (64 + 2 + 4) * eps)
                   << id << ", " << nameOf(kind) << " at " << elevation << "°, pixel " << x << ","
                   << y;
         }

@@ -87,9 +87,10 @@ TEST_F(Frame, ReadBacksHaveTheirTopRowFirst) {
     EXPECT_LE(surface->receiver, point.z);
     EXPECT_GT(surface->receiver, point.z - 0.02);
     EXPECT_TRUE(surface->facesLight);
-    const Image<float> surfaces = renderer->surfaces();
-    EXPECT_EQ(surfaces(pixel.x(), pixel.y(), 0), float(surface->u));
-    EXPECT_EQ(surfaces(pixel.x(), pixel.y(), 3), float(surface->visibility));
+    const auto read = renderer->surfaces().at(pixel.x(), pixel.y());
+    ASSERT_TRUE(read.has_value());
+    EXPECT_EQ(read->u, surface->u);
+    EXPECT_EQ(read->visibility, surface->visibility);
   }
   EXPECT_FALSE(renderer->surfaceAt(0, 0).has_value()) << "sky";
   EXPECT_FALSE(renderer->surfaceAt(-1, 5).has_value());
@@ -109,14 +110,15 @@ TEST_F(Frame, KnowsWhatFacesAwayFromTheLight) {
   const auto surface = renderer->surfaceAt(pixel.x(), pixel.y());
   ASSERT_TRUE(surface.has_value());
   EXPECT_FALSE(surface->facesLight);
-  EXPECT_LT(renderer->surfaces()(pixel.x(), pixel.y(), 2), 0.0f);
+  EXPECT_FALSE(renderer->surfaces().receivesShadow(pixel.x(), pixel.y()));
+  EXPECT_LT(renderer->surfaces().coded()(pixel.x(), pixel.y(), 2), 0.0f) << "as files hold it";
 }
 
 TEST_F(Frame, DrawsOthersPropsWithoutShadowOfTheirs) {
   const auto scene = test::slabOverGround();
   show(scene, "vsm");
   const DepthMap before = renderer->depthMap();
-  const Image<float> surfacesBefore = renderer->surfaces();
+  const SurfaceImage surfacesBefore = renderer->surfaces();
 
   // There is a green upright card in front of the ground's centre.
   vtkNew<vtkPoints> points;
@@ -159,13 +161,15 @@ TEST_F(Frame, ShowsTheSignOfTheErrorInColour) {
   settings.view = ViewMode::Error;
   settings.map.size = 128;
   show(test::slabAndBall(), "vsm");
-  const Image<float> surfaces = renderer->surfaces(), reference = renderer->reference();
+  const SurfaceImage surfaces = renderer->surfaces();
+  const Image<float> reference = renderer->reference();
   const Image<std::uint8_t> colour = renderer->colour();
   int neutral = 0, red = 0;
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      if (surfaces(x, y, 0) < 0.0f || surfaces(x, y, 2) < 0.0f) continue;
-      const float error = surfaces(x, y, 3) - reference(x, y);
+      const auto surface = surfaces.at(x, y);
+      if (!surface || !surface->facesLight) continue;
+      const float error = surfaces.visibility(x, y) - reference(x, y);
       const int balance = int(colour(x, y, 0)) - int(colour(x, y, 2));
       if (error == 0.0f) {
         ++neutral;

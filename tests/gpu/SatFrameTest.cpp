@@ -78,7 +78,7 @@ TEST_F(SatFrame, AFootprintIsWhatAPixelCovers) {
   settings.kernel = {KernelShape::None, 0};
   settings.read.satSize = SatSize::Footprint;
   show(test::slabOverGround(), "vsm");
-  const Image<float> surfaces = renderer->surfaces();
+  const Image<float> surfaces = renderer->surfaces().coded();
   Eigen::Vector2i pixel = pixelOf(renderer->camera(), {-2, 0, 2});
   const int x = pixel.x() / 2 * 2, y = pixel.y() / 2 * 2;  // top left of its group
   const auto point = renderer->surfaceAt(x, y);

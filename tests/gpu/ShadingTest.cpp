@@ -49,14 +49,14 @@ TEST_F(Shading, AgreesWithTheReferenceAtEveryKindOfPixel) {
       scene->light.kind = kind;
       scene->light.halfAngle = 45;
       show(scene, id);
-      const Image<float> surfaces = renderer->surfaces();
+      const SurfaceImage surfaces = renderer->surfaces();
       const Image<float> reference = renderer->reference();
       int compared = 0, penumbra = 0;
       for (int y = 0; y < height; y += 3) {
         for (int x = 0; x < width; x += 3) {
-          const double u = surfaces(x, y, 0), v = surfaces(x, y, 1);
-          if (u < 0.0 || u > 1.0 || v < 0.0 || v > 1.0) continue;
-          const double receiver = std::abs(surfaces(x, y, 2));
+          const auto surface = surfaces.at(x, y);
+          if (!surface || !surface->isInMap()) continue;
+          const double u = surface->u, v = surface->v, receiver = surface->receiver;
           const DepthMap& map = renderer->depthMap();
           const Region region = regionBilinear(map, settings.kernel, u, v);
           const std::vector<double> channels =
@@ -66,7 +66,7 @@ TEST_F(Shading, AgreesWithTheReferenceAtEveryKindOfPixel) {
           // Stored channels carry the prefilter's rounding as well.
           const double arithmetic =
               test::visibilityError(*technique, settings.map.format, {channels, region}, receiver);
-          ASSERT_NEAR(surfaces(x, y, 3), visibility(u, v),
+          ASSERT_NEAR(surfaces.visibility(x, y), visibility(u, v),
                       arithmetic + positionError(visibility, u, v))
               << "pixel " << x << "," << y;
           ASSERT_NEAR(reference(x, y), truth(u, v), positionError(truth, u, v) + 32 * test::eps)
@@ -92,7 +92,7 @@ TEST_F(Shading, DarkensTheCastingLightAndNoOther) {
       scene->light.kind = kind;
       scene->light.halfAngle = 45;
       show(scene, "hard");
-      const Image<float> surfaces = renderer->surfaces();
+      const SurfaceImage surfaces = renderer->surfaces();
       const Image<std::uint8_t> shadowed = renderer->colour();
 
       renderer->renderer().SetPass(nullptr);  // VTK draws alone
@@ -107,8 +107,8 @@ TEST_F(Shading, DarkensTheCastingLightAndNoOther) {
       int dark = 0, bright = 0;
       for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-          if (surfaces(x, y, 0) < 0.0f) continue;
-          const float visibility = surfaces(x, y, 3);
+          if (!surfaces.shows(x, y)) continue;
+          const float visibility = surfaces.visibility(x, y);
           ASSERT_TRUE(visibility == 0.0f || visibility == 1.0f);
           (visibility == 0.0f ? dark : bright) += 1;
           const Image<std::uint8_t>& expected = visibility == 0.0f ? unlit : lit;
@@ -138,11 +138,11 @@ TEST_F(Shading, APlaneCastsNoShadowOnItself) {
           scene->light.halfAngle = 50;
           scene->light.position = {9 * std::cos(angle), 9 * std::sin(angle), 3};
           show(scene, id);
-          const Image<float> surfaces = renderer->surfaces();
+          const SurfaceImage surfaces = renderer->surfaces();
           for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x)
               // The weights of all taps add up to 1 but for their rounding.
-              ASSERT_NEAR(surfaces(x, y, 3), 1.0, 2 * (2 * radius + 4) * test::eps)
+              ASSERT_NEAR(surfaces.visibility(x, y), 1.0, 2 * (2 * radius + 4) * test::eps)
                   << id << ", " << nameOf(kind) << " at " << elevation << "°, " << radius
                   << " texels, pixel " << x << "," << y;
         }

@@ -92,10 +92,11 @@ struct Sum {
 
 TEST_F(Below, TheMeshBleedsAsMuchAsTheFrame) {
   show(scene, "vsm");
-  const Image<float> surfaces = renderer->surfaces(), reference = renderer->reference();
+  const SurfaceImage surfaces = renderer->surfaces();
+  const Image<float> reference = renderer->reference();
   const auto bleeding = [&](int x, int y) {
-    EXPECT_GT(surfaces(x, y, 2), 0.0f);
-    return std::max(0.0, double(surfaces(x, y, 3)) - reference(x, y));
+    EXPECT_TRUE(surfaces.receivesShadow(x, y));
+    return std::max(0.0, double(surfaces.visibility(x, y)) - reference(x, y));
   };
   const double side = 2.0 * 2.9 * std::tan(50.0 * 3.14159265358979 / 180.0) / height;
   Sum frame;

@@ -87,7 +87,7 @@ void WindowTest::theSmallestReductionOfThePictureDarkensEveryUmbra() {
   const double a = std::get<double>(parameters.at("vsm").at("bleed-reduction"));
   QVERIFY(a > 0.05 && a < 0.99 && a != 0.5);
   const auto brightestUmbra = [&] {
-    const Image<float> surfaces = window.view().lastFrame()->surfaces();
+    const SurfaceImage surfaces = window.view().lastFrame()->surfaces();
     const Image<float> truth = window.view().lastFrame()->reference();
     double brightest = 0.0;
     for (const BoundSample& sample : boundSamplesOf(surfaces, truth))

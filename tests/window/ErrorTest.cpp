@@ -9,7 +9,6 @@
 #include <cmath>
 
 #include "analysis/errors/BleedReduction.h"
-#include "analysis/frame/ReceiverPixels.h"
 #include "datasets/maps/ExrFile.h"
 #include "tests/widgets/Mouse.h"
 #include "tests/window/WindowTest.h"
@@ -44,29 +43,30 @@ ErrorPane& errorPaneOf(MainWindow& window) {
 }
 
 // What a pixel reads, put together here.
-ProbeRequest requestByHand(MainWindow& window, const Image<float>& surfaces, const DepthMap& map,
+ProbeRequest requestByHand(MainWindow& window, const SurfaceImage& surfaces, const DepthMap& map,
                            int x, int y) {
   const FrameSettings& settings = window.controller().session().frame;
+  const SurfacePoint surface = surfaces.at(x, y).value();
   return {.map = map,
-          .read = {settings.read.filter, surfaces(x, y, 0), surfaces(x, y, 1), {}},
+          .read = {settings.read.filter, surface.u, surface.v, {}},
           .kernel = settings.kernel,
-          .receiver = surfaces(x, y, 2)};
+          .receiver = surface.receiver};
 }
 
 Image<float> referenceByHand(MainWindow& window) {
-  const Image<float> surfaces = window.view().lastFrame()->surfaces();
+  const SurfaceImage surfaces = window.view().lastFrame()->surfaces();
   const DepthMap map = window.view().lastFrame()->depthMap();
   Image<float> reference(surfaces.width(), surfaces.height(), 1, 1.0F);
   for (int y = 0; y < surfaces.height(); ++y)
     for (int x = 0; x < surfaces.width(); ++x)
-      if (receivesShadow(surfaces.pixel(x, y)))
+      if (surfaces.receivesShadow(x, y))
         reference(x, y) = float(takeProbe(requestByHand(window, surfaces, map, x, y)).reference);
   return reference;
 }
 
 // Pixel by pixel on one thread.
 ErrorDecomposition takenByHand(MainWindow& window) {
-  const Image<float> surfaces = window.view().lastFrame()->surfaces();
+  const SurfaceImage surfaces = window.view().lastFrame()->surfaces();
   const Image<float> reference = referenceByHand(window);
   const DepthMap map = window.view().lastFrame()->depthMap();
   const std::shared_ptr<Technique> technique = window.controller().technique().clone();
@@ -167,14 +167,14 @@ void WindowTest::aLassoCountsWhatItCircles() {
   const QVector<QPoint> triangle = triangleIn(canvas);
   draw(canvas, triangle);
   const Image<std::uint8_t> mask = maskOf(canvas, triangle);
-  const Image<float> surfaces = window.view().lastFrame()->surfaces();
+  const SurfaceImage surfaces = window.view().lastFrame()->surfaces();
   const Image<float> reference = referenceByHand(window);
   double error = 0.0;
   std::size_t pixels = 0;
   for (int y = 0; y < mask.height(); ++y)
     for (int x = 0; x < mask.width(); ++x) {
-      if (!mask(x, y) || !receivesShadow(surfaces.pixel(x, y))) continue;
-      error += double(surfaces(x, y, 3)) - double(reference(x, y));
+      if (!mask(x, y) || !surfaces.receivesShadow(x, y)) continue;
+      error += double(surfaces.visibility(x, y)) - double(reference(x, y));
       ++pixels;
     }
   QVERIFY(pixels > 1000);

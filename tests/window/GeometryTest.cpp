@@ -13,18 +13,19 @@
 namespace umbra {
 
 void WindowTest::theWorstSpotIsInFullShadow() {
-  Image<float> surfaces(200, 150, 4), reference(200, 150, 1, 1.0F);
+  SurfaceImage surfaces(200, 150);
+  Image<float> reference(200, 150, 1, 1.0F);
+  SurfacePoint surface{.u = 0.5, .v = 0.5, .receiver = 0.5};
   const auto fill = [&](QRect spot, float visibility, float truth) {
     for (int y = spot.top(); y <= spot.bottom(); ++y)
       for (int x = spot.left(); x <= spot.right(); ++x) {
-        surfaces(x, y, 3) = visibility;
+        surface.visibility = visibility;
+        surfaces.set(x, y, surface);
         reference(x, y) = truth;
       }
   };
   for (int y = 0; y < 150; ++y)
-    for (int x = 0; x < 200; ++x)
-      for (int channel = 0; channel < 4; ++channel)
-        surfaces(x, y, channel) = channel == 3 ? 1.0F : 0.5F;
+    for (int x = 0; x < 200; ++x) surfaces.set(x, y, surface);
   QVERIFY(!worstBleeding(surfaces, reference));
   fill({30, 40, 40, 40}, 0.9F, 0.4F);   // a penumbra, further off than what follows
   fill({120, 60, 40, 40}, 0.0F, 0.0F);  // full shadow

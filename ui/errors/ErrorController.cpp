@@ -161,8 +161,7 @@ std::shared_ptr<const ErrorController::Gathered> ErrorController::gather() {
   const auto gathered = std::make_shared<Gathered>();
   for (int i = 0; i < int(frame.cascades().size()); ++i)
     gathered->maps.push_back(frame.depthMap(i));
-  gathered->frame = {
-      controller_.session().frame, frame.surfaces(), frame.footprints(), frame.cascades(), {}};
+  gathered->frame = {controller_.session().frame, frame.surfaces(), frame.cascades(), {}};
   for (const DepthMap& map : gathered->maps) gathered->frame.maps.push_back(&map);
   gathered->technique = controller_.technique().clone();
   // The picture's own splits, so that both agree to the last digit.

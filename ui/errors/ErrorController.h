@@ -25,8 +25,9 @@ class ErrorController : public QObject {
 
  public:
   struct Taken {
-    QString technique;                 // its title
-    Image<float> surfaces, reference;  // of the frame
+    QString technique;      // its title
+    SurfaceImage surfaces;  // of the frame
+    Image<float> reference;
     ErrorDecomposition errors;
   };
 

@@ -19,14 +19,14 @@ QRgb dimmed(QRgb colour, double reference) {
 }  // namespace
 
 QImage errorPicture(const ErrorDecomposition& errors, std::optional<ErrorPart> part, double range,
-                    const Image<float>& surfaces, const Image<float>& reference) {
+                    const SurfaceImage& surfaces, const Image<float>& reference) {
   QImage picture(surfaces.width(), surfaces.height(), QImage::Format_RGB32);
   for (int y = 0; y < picture.height(); ++y) {
     auto* line = reinterpret_cast<QRgb*>(picture.scanLine(y));
     for (int x = 0; x < picture.width(); ++x) {
       const PicturePixel taken = errors.takenPixel(x, y);
       if (!errors.receives(taken.x, taken.y)) {
-        line[x] = surfaces(taken.x, taken.y, 0) < 0.0f ? sky : unlit;
+        line[x] = surfaces.shows(taken.x, taken.y) ? unlit : sky;
         continue;
       }
       const double error = errorAt(errors, taken.x, taken.y, part);

@@ -9,9 +9,9 @@
 namespace umbra {
 
 // One part, or the whole error, in colours that are full at ±`range`; a little darker where the
-// reference is in shadow, grey where no shadow falls, so that the scene is found in it. `surfaces`
-// and `reference` as ShadowRenderer gives them.
+// reference is in shadow, grey where no shadow falls, so that the scene is found in it.
+// `reference` as ShadowRenderer gives it.
 QImage errorPicture(const ErrorDecomposition& errors, std::optional<ErrorPart> part, double range,
-                    const Image<float>& surfaces, const Image<float>& reference);
+                    const SurfaceImage& surfaces, const Image<float>& reference);
 
 }  // namespace umbra

@@ -12,17 +12,14 @@ std::optional<FrameProbe> probeFrame(const FrameEvidence& evidence, const FrameS
                                      const MapOf& mapOf, const Pixel& pixel,
                                      const std::optional<double>& receiver,
                                      const std::optional<Plane>& plane) {
-  const Image<float>& surfaces = evidence.surfaces;
-  if (pixel.x < 0 || pixel.y < 0 || pixel.x >= surfaces.width() || pixel.y >= surfaces.height())
-    return std::nullopt;
-  const SurfacePoint surface = surfaceAt(surfaces, evidence.footprints, pixel.x, pixel.y);
-  if (surface.u < 0.0 || surface.u > 1.0 || surface.v < 0.0 || surface.v > 1.0) return std::nullopt;
-  ProbeRequest request = requestOf(frame, evidence.cascades, mapOf, surface);
-  request.receiver = receiver.value_or(surface.receiver);
+  const std::optional<SurfacePoint> surface = evidence.surfaces.at(pixel.x, pixel.y);
+  if (!surface || !surface->isInMap()) return std::nullopt;
+  ProbeRequest request = requestOf(frame, evidence.cascades, mapOf, *surface);
+  request.receiver = receiver.value_or(surface->receiver);
   request.techniques = {evidence.technique};
   FrameProbe probe{takeProbe(request), {}};
-  probe.footprint = footprintOf(ownRegion(probe.probe), frame.map.size, surface.receiver,
-                                evidence.cascades[std::size_t(surface.cascade)].frame, plane);
+  probe.footprint = footprintOf(ownRegion(probe.probe), frame.map.size, surface->receiver,
+                                evidence.cascades[std::size_t(surface->cascade)].frame, plane);
   return probe;
 }
 

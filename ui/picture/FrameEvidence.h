@@ -9,12 +9,13 @@
 #include "datasets/session/Session.h"
 #include "filters/core/maps/Cascades.h"
 #include "filters/core/maps/Image.h"
+#include "filters/core/maps/SurfaceImage.h"
 #include "ui/picture/Footprint.h"
 
 namespace umbra {
 
 struct FrameEvidence {
-  Image<float> surfaces, footprints;  // as ShadowRenderer's
+  SurfaceImage surfaces;
   std::vector<Cascade> cascades;
   std::vector<DepthMap> maps;  // of every cascade; none where they were not asked for
   std::shared_ptr<const Technique> technique;  // as the frame adapted it

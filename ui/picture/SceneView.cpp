@@ -182,7 +182,7 @@ std::optional<SurfacePoint> SceneView::surfaceAt(const Pixel& pixel) {
   return shadow_->surfaceAt(pixel.x, pixel.y);
 }
 
-std::pair<Image<float>, Image<float>> SceneView::measure(const Technique& technique) {
+std::pair<SurfaceImage, Image<float>> SceneView::measure(const Technique& technique) {
   makeCurrent();
   const auto readBack = [this] { return std::pair(shadow_->surfaces(), shadow_->reference()); };
   if (upToDate() && sameSettings(technique, *technique_)) return readBack();

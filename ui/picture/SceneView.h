@@ -54,7 +54,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   std::optional<SurfacePoint> surfaceAt(const Pixel& pixel);
   // Surfaces and reference of the frame as another technique would shade it; the picture stays.
   // Throws as ShadowRenderer::render does.
-  std::pair<Image<float>, Image<float>> measure(const Technique& technique);
+  std::pair<SurfaceImage, Image<float>> measure(const Technique& technique);
   // The surface around a pixel, as a plane.
   std::optional<Plane> surfacePlane(const Pixel& pixel, const SurfacePoint& centre);
   // Of the last frame: equal numbers mean equal depth maps, and equal channels.

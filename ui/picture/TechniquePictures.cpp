@@ -107,8 +107,7 @@ TechniqueDrawing TechniquePictures::draw(const PictureSubject& subject, const Te
 
 FrameEvidence TechniquePictures::evidence(const Technique& technique, KeptEvidence kept) {
   if (kept == KeptEvidence::None) return {};
-  FrameEvidence evidence{
-      renderer_->surfaces(), renderer_->footprints(), renderer_->cascades(), {}, nullptr};
+  FrameEvidence evidence{renderer_->surfaces(), renderer_->cascades(), {}, nullptr};
   for (int i = 0; kept == KeptEvidence::Maps && i < int(evidence.cascades.size()); ++i)
     evidence.maps.push_back(renderer_->depthMap(i));
   std::shared_ptr<Technique> adapted = technique.clone();

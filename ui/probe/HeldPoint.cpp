@@ -24,8 +24,7 @@ bool dependsOnCamera(const FrameSettings& frame) {
 
 std::optional<SurfacePlace> placeAt(SceneView& view, const Pixel& pixel) {
   const auto surface = view.surfaceAt(pixel);
-  if (!surface || surface->u < 0.0 || surface->u > 1.0 || surface->v < 0.0 || surface->v > 1.0)
-    return std::nullopt;
+  if (!surface || !surface->isInMap()) return std::nullopt;
   return SurfacePlace{pixel, *surface, view.surfacePlane(pixel, *surface)};
 }
 

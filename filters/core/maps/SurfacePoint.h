@@ -18,6 +18,11 @@ struct SurfacePoint {
   Footprint footprint;  // in texels of its cascade's map, for the filters that have one
   int cascade = 0;
   double nextCascade = 0.0;  // weight of the next cascade in a seam, else 0
+
+  // Whether the map covers it.
+  bool isInMap() const { return u >= 0.0 && u <= 1.0 && v >= 0.0 && v <= 1.0; }
+  // Whether it takes part in shadows: what faces away, or leaves the map, has no error.
+  bool receivesShadow() const { return facesLight && isInMap(); }
 };
 
 }  // namespace umbra

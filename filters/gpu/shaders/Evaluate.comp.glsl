@@ -17,7 +17,7 @@ void main() {
   footprint = texelFetch(umbraFootprints, pixel, 0);
 #endif
   vec2 result = vec2(1.0);
-  if (all(greaterThanEqual(surface.xy, vec2(0.0))) && all(lessThanEqual(surface.xy, vec2(1.0))))
+  if (umbraIsInMap(surface))
     result = vec2(umbraVisibilityAt(surface, footprint), umbraReferenceAt(surface, footprint));
   imageStore(umbraTarget, pixel, vec4(result, 0.0, 0.0));
 }

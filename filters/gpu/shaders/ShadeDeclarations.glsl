@@ -114,7 +114,7 @@ vec2 umbraReachOf(vec3 footprint) {
 #endif
 }
 
-// (u, v, z_r, visibility); z_r is negated where the surface faces away from the light. (u, v) and
+// (u, v, z_r, visibility), coded as Surface.glsl and SurfaceImage decode it. (u, v) and
 // `footprint` = (x, y, probes, cascade + weight of the next one) are those of its cascade's map.
 // `position` and `shadingNormal` in view space.
 vec4 umbraShade(vec3 position, vec3 shadingNormal, out vec4 footprint) {

@@ -3,12 +3,12 @@
 // 5 cascades.
 
 uniform sampler2D umbraColour;    // the shaded picture
-uniform sampler2D umbraSurfaces;  // u, v, z_r, visibility; u < 0 where there is no surface
+uniform sampler2D umbraSurfaces;  // Surface.glsl decodes them
 uniform sampler2D umbraDepth;     // of the camera, [0,1]
 #if UMBRA_FOOTPRINTS
 uniform sampler2D umbraFootprints;
 #endif
-uniform ivec2 umbraOrigin;        // of the viewport in the window, pixels
+uniform ivec2 umbraOrigin;  // of the viewport in the window, pixels
 uniform vec3 umbraNoErrorColour;
 uniform vec3 umbraBleedingColour;
 uniform vec3 umbraDarkeningColour;
@@ -25,7 +25,7 @@ vec3 umbraErrorColour(float error) {
 
 float umbraError(vec4 surface, vec4 footprint) {
   // A surface that faces away receives nothing from the light, whatever the visibility.
-  if (surface.z < 0.0 || any(greaterThan(abs(surface.xy - 0.5), vec2(0.5)))) return 0.0;
+  if (umbraFacesAway(surface) || !umbraIsInMap(surface)) return 0.0;
   return surface.w - umbraReferenceAt(surface, footprint);
 }
 
@@ -44,7 +44,7 @@ vec3 umbraLayerColour(float receiver) {
 
 #if UMBRA_VIEW == 5
 vec3 umbraCascadeColour(vec4 surface, vec4 footprint) {
-  if (any(greaterThan(abs(surface.xy - 0.5), vec2(0.5)))) return vec3(1.0);  // in no map
+  if (!umbraIsInMap(surface)) return vec3(1.0);
   int cascade = int(footprint.w);
   return mix(umbraCascadeColours[cascade], umbraCascadeColours[min(cascade + 1, 3)],
              fract(footprint.w));
@@ -65,13 +65,13 @@ void main() {
 #endif
 #endif
 #if UMBRA_VIEW == 1
-  umbraShown.rgb = vec3(surface.z < 0.0 ? 0.0 : surface.w);
+  umbraShown.rgb = vec3(umbraFacesAway(surface) ? 0.0 : surface.w);
 #elif UMBRA_VIEW == 2
   umbraShown.rgb = umbraShading(colour.rgb) * umbraErrorColour(umbraError(surface, footprint));
 #elif UMBRA_VIEW == 3
-  umbraShown.rgb = vec3(1.0 - abs(surface.z));
+  umbraShown.rgb = vec3(1.0 - umbraReceiverOf(surface));
 #elif UMBRA_VIEW == 4
-  umbraShown.rgb = umbraShading(colour.rgb) * umbraLayerColour(abs(surface.z));
+  umbraShown.rgb = umbraShading(colour.rgb) * umbraLayerColour(umbraReceiverOf(surface));
 #elif UMBRA_VIEW == 5
   umbraShown.rgb = umbraShading(colour.rgb) * umbraCascadeColour(surface, footprint);
 #endif
