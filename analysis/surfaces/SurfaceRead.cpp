@@ -5,7 +5,6 @@
 #include <limits>
 #include <numbers>
 
-#include "filters/core/maps/MipLevels.h"
 #include "filters/core/maps/ReceiverBias.h"
 
 namespace umbra {
@@ -108,31 +107,6 @@ Footprint boxOf(const Vector2d& dx, const Vector2d& dy, double distance, const F
   return {width, width};
 }
 
-// How far the centres of the texels that a read averages lie from its position, at most. `finer` is
-// the side of a cascade's texel, in texels of the coarsest cascade that is read.
-Vector2d reachOf(const SurfacePoint& surface, const FrameSettings& settings, double finer) {
-  const double kernel = settings.kernel.effectiveRadius();
-  const Vector2d size = finer * Vector2d(surface.footprint.x, surface.footprint.y);
-  switch (settings.read.filter) {
-    case ReadFilter::Point:
-      return Vector2d::Constant(kernel + 0.5);
-    case ReadFilter::Bilinear:
-      return Vector2d::Constant(kernel + 1.0);
-    case ReadFilter::SummedArea:
-      return (0.5 * size.cwiseMax(2.0 * kernel + 1.0)).array() + 0.5;
-    case ReadFilter::Trilinear:
-    case ReadFilter::Anisotropic:
-      break;
-  }
-  const int count = surface.footprint.probes;
-  const ReadPoint coarse{settings.read.filter, surface.u, surface.v, {size.x(), size.y(), count}};
-  int level = 0;
-  for (const LevelRead& each : levelReadsOf(coarse, settings.map.size, settings.map.size))
-    level = std::max(level, each.level);
-  const double probes = 0.5 - 0.5 / count;
-  return (size.cwiseAbs() * probes).array() + kernel + 1.5 * std::ldexp(1.0, level) - 0.5;
-}
-
 // World units at the depth of a point.
 double pixelSide(const PictureView& picture, const Vector3d& point) {
   const CameraAxes axes = axesOf(picture);
@@ -199,14 +173,11 @@ std::variant<SurfacePoint, Unreadable> readOfSurface(const SurfaceSpot& spot,
   // In a seam both cascades have one receiver, with the bias of the coarser one.
   const double coarsest =
       place->next > 0.0 ? std::max(own.side, frame.cascades[place->cascade + 1].side) : own.side;
-  Vector2d texels = Vector2d::Constant(settings.bias.slope);
-  if (settings.bias.receiverPlane) texels += reachOf(result, settings, own.side / coarsest);
-  const double slope =
-      coarsest * texels.dot(depthPerTexel(frame.light, settings.map.size, point, normal));
-  // Written so that an exactly edge-on plane ends at the limit too.
-  const double bias =
-      settings.bias.constant + (slope < ReceiverBias::largest ? slope : ReceiverBias::largest);
-  result.receiver = std::clamp(light.z - bias, 0.0, 1.0);
+  const ReadPoint read{filter, result.u, result.v, result.footprint};
+  result.receiver =
+      biasedReceiver(light.z, settings.bias,
+                     coarsest * depthPerTexel(frame.light, settings.map.size, point, normal),
+                     readReach(read, settings, own.side / coarsest));
   const Vector3d toLight = frame.light.kind == LightKind::Spot
                                ? Vector3d(frame.light.position - point)
                                : Vector3d(-frame.light.direction);

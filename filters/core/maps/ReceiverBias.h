@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include "filters/core/maps/Region.h"
 #include "filters/core/scene/Light.h"
 #include "filters/core/settings/FrameSettings.h"
 
@@ -13,6 +14,17 @@ namespace umbra {
 // absolute values.
 Eigen::Vector2d depthPerTexel(const LightFrame& light, int mapSize, const Eigen::Vector3d& world,
                               const Eigen::Vector3d& normal);
+
+// How far the centres of the texels that a read averages lie from its position, at most, along
+// either axis. `finer` is the side of the map's texel, in which the footprint is told, in texels of
+// the coarsest cascade that is read, in which the reach is.
+Eigen::Vector2d readReach(const ReadPoint& read, const FrameSettings& frame, double finer = 1.0);
+
+// z_r in [0,1] of a surface at depth `z`: less the frame's constant bias, and less what its plane
+// gains over the slope's texels and, where the bias follows the receiver's plane, over the `reach`
+// of the read. `perTexel` is depthPerTexel of the texels that the reach counts.
+double biasedReceiver(double z, const Bias& bias, const Eigen::Vector2d& perTexel,
+                      const Eigen::Vector2d& reach);
 
 // The bias in a frame with one map whose reads cover the same number of texels whatever the
 // picture: point reads, bilinear reads, or a summed-area table of fixed size.
@@ -30,7 +42,8 @@ class ReceiverBias {
  private:
   LightFrame light_;
   int mapSize_;
-  double constant_, texels_;  // how many texels' gain of depth is subtracted
+  Bias bias_;
+  Eigen::Vector2d reach_;
 };
 
 }  // namespace umbra
