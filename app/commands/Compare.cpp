@@ -15,6 +15,7 @@
 #include "app/output/Cancellation.h"
 #include "app/reports/CompareFiles.h"
 #include "app/reports/Reports.h"
+#include "datasets/session/DepthReading.h"
 #include "filters/core/support/Error.h"
 
 namespace umbra {
@@ -136,9 +137,8 @@ void CompareCommand::compareMap(Session session) const {
   if (surfaceOptions())
     throw Error(ErrorKind::BadCommandLine,
                 "--surfaces: a depth map has none; give --scene NAME or a mesh file");
-  if (!options.namesFormat() && !options.namesSession())
-    session.frame.map.format = StorageFormat::Double;
-  session.frame.read.filter = ReadFilter::Point;  // of every texel
+  if (!options.namesFormat() && !options.namesSession()) chooseFormatFor(session);
+  session.frame = readSettingsOf(session);
   const auto chosen = techniques(session);
   const DepthMap map = loadDepthMap(session.source);
   for (const auto& technique : chosen) {

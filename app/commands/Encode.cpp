@@ -9,6 +9,7 @@
 #include "app/output/Cancellation.h"
 #include "app/output/ChannelFile.h"
 #include "app/output/Output.h"
+#include "datasets/session/DepthReading.h"
 #include "filters/core/prefilter/Prefilter.h"
 #include "filters/core/support/Error.h"
 
@@ -79,7 +80,7 @@ void EncodeCommand::run() const {
 }
 
 void EncodeCommand::encodeDepthMap(Session session, ChannelFile& file) const {
-  session.frame.read.filter = ReadFilter::Point;  // nothing is read
+  session.frame = readSettingsOf(session);
   const auto chosen = techniques(session);
   const DepthMap map = loadDepthMap(session.source);
   const StorageFormat format = session.frame.map.format;

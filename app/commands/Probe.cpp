@@ -14,6 +14,7 @@
 #include "app/options/SessionOptions.h"
 #include "app/reports/ProbeFiles.h"
 #include "app/reports/Reports.h"
+#include "datasets/session/DepthReading.h"
 #include "filters/core/support/Error.h"
 #include "filters/core/support/Text.h"
 
@@ -166,9 +167,8 @@ void ProbeCommand::probeDepthMap(Session session) const {
   if (places.empty() && !session.receiver)
     throw Error(ErrorKind::BadCommandLine, "--receiver: is missing, give --receiver Z");
   if (places.empty()) places.push_back({"", {}, session.probe, session.receiver});
-  if (!options.namesFormat() && !options.namesSession())
-    session.frame.map.format = StorageFormat::Double;
-  session.frame.read.filter = ReadFilter::Point;  // of the texel
+  if (!options.namesFormat() && !options.namesSession()) chooseFormatFor(session);
+  session.frame = readSettingsOf(session);
   const auto chosen = techniques(session);
   const DepthMap map = loadDepthMap(session.source);
   std::vector<NamedResult> results;

@@ -8,6 +8,7 @@
 #include "app/start/WindowSystem.h"
 #include "datasets/maps/DepthFile.h"
 #include "datasets/scenes/SceneCatalogue.h"
+#include "datasets/session/DepthReading.h"
 #include "datasets/session/file/SessionFile.h"
 #include "filters/core/support/Error.h"
 #include "filters/core/support/Text.h"
@@ -55,7 +56,12 @@ void OpenWindow::checkArgument() const {
 
 Session OpenWindow::opened() const {
   const TechniqueCatalogue catalogue = allTechniques();
-  if (!argument_) return options_.session(catalogue);
+  const bool asked = options_.namesFormat() || options_.namesSession();
+  if (!argument_) {
+    Session session = options_.session(catalogue);
+    if (!asked) chooseFormatFor(session);
+    return session;
+  }
   checkArgument();
   if (options_.namesSource())
     throw Error(ErrorKind::BadCommandLine,
@@ -71,6 +77,7 @@ Session OpenWindow::opened() const {
     session.source.kind = SourceKind::DepthFile;
     session.source.name = file.string();
     session.source.channel = channel;
+    chooseFormatFor(session);
   } else {
     session.source = sceneSourceFrom(*argument_, *argument_);
   }

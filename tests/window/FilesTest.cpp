@@ -144,6 +144,8 @@ void WindowTest::aDepthFileIsProbedByTexel() {
     for (int x = 2; x <= 8; ++x) behind += double(depths(x, y)) >= 0.4;
   QVERIFY(std::abs(report->probe.reference - behind / 49.0) < 1e-12);
   QCOMPARE(report->probe.receiver, 0.4);
+  // As `umbrascope probe` reads it where no format is asked for.
+  QVERIFY(report->request->format == StorageFormat::Double);
 }
 
 void WindowTest::aRestartBringsSessionAndLayoutBack() {

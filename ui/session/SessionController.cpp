@@ -4,6 +4,7 @@
 #include <exception>
 #include <utility>
 
+#include "datasets/session/DepthReading.h"
 #include "filters/core/technique/Composition.h"
 #include "ui/session/SourceLoader.h"
 #include "ui/widgets/base/Style.h"
@@ -68,21 +69,16 @@ const Technique& SessionController::technique() const {
   return *techniques_.front();  // never: rebuildTechniques refuses an unknown one
 }
 
-// A depth file's texels are read as they are.
-FrameSettings SessionController::readSettings() const {
-  FrameSettings frame = session().frame;
-  if (document_.content.depth) frame.read.filter = ReadFilter::Point;
-  return frame;
-}
-
 QMap<QString, QString> SessionController::refusals() const {
-  return refusals(readSettings());
+  return refusals(readSettingsOf(session()));
 }
 
 QMap<QString, QString> SessionController::refusals(const FrameSettings& frame) const {
   QMap<QString, QString> reasons;
   for (const auto& technique : techniques_) {
-    const std::string reason = whyImpossible(frame, *technique);
+    std::string reason = whyImpossible(frame, *technique);
+    if (document_.content.scene && frame.map.format == StorageFormat::Double)
+      reason = "format double: the GPU stores 32 bits at most, take float";
     if (!reason.empty())
       reasons.insert(style::text(technique->info().id), QString::fromStdString(reason));
   }
@@ -187,6 +183,7 @@ void SessionController::leave() {
 void SessionController::openSource(const SceneSource& source) {
   Session next = session();
   next.source = source;
+  chooseFormatFor(next);
   next.light.reset();
   next.camera.reset();
   next.probe.reset();

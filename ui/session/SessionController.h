@@ -74,7 +74,6 @@ class SessionController : public QObject {
   friend class DocumentCommand;
   void push(const QString& text, Document after, const QString& mergeKey);
   void show(const Document& document);  // undo, redo and every edit end here
-  FrameSettings readSettings() const;
   void rebuildTechniques(const Session& session);
   void arrive(const Document& document);
 
