@@ -34,6 +34,8 @@ std::vector<std::shared_ptr<Technique>> makeTechniques(const Session& session,
       last = std::move(technique);
       continue;
     }
+    if (const std::string loss = whyReadInexactly(session, *technique); !loss.empty())
+      notices.push_back(loss);
     for (const std::string& notice : notices) spdlog::warn("{}: {}", id, notice);
     techniques.push_back(std::move(technique));
   }

@@ -40,12 +40,12 @@ std::unique_ptr<Technique> techniqueOf(const Session& session, const TechniqueCa
                                        const std::string& id, std::vector<std::string>* notices) {
   std::unique_ptr<Technique> technique = unlimited(session, catalogue, id);
   const std::vector<std::string> limited = technique->limitTo(session.frame.map.format);
-  if (!notices) return technique;
-  notices->insert(notices->end(), limited.begin(), limited.end());
-  const std::string inexact = whyInexact(session.frame, *technique);
-  // Nothing but a scene's frame is read that way.
-  if (!inexact.empty() && session.source.kind != SourceKind::DepthFile) notices->push_back(inexact);
+  if (notices) notices->insert(notices->end(), limited.begin(), limited.end());
   return technique;
+}
+
+std::string whyReadInexactly(const Session& session, const Technique& technique) {
+  return session.source.kind == SourceKind::DepthFile ? "" : whyInexact(session.frame, technique);
 }
 
 void editParameters(Session& session, const TechniqueCatalogue& catalogue, const std::string& id,

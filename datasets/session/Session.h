@@ -66,6 +66,10 @@ std::unique_ptr<Technique> techniqueOf(const Session& session, const TechniqueCa
                                        const std::string& id,
                                        std::vector<std::string>* notices = nullptr);
 
+// One sentence that says what the session's read of the technique loses; "" where it loses nothing,
+// as on a depth file, whose texels are read as they are.
+std::string whyReadInexactly(const Session& session, const Technique& technique);
+
 // Lets `change` set parameters of the technique `id`, which have the session's values, and stores
 // all of them anew: to set one may change others, as splits change the number of layers.
 void editParameters(Session& session, const TechniqueCatalogue& catalogue, const std::string& id,

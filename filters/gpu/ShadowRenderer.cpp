@@ -227,7 +227,7 @@ int ShadowRenderer::samples() const {
   return implementation_->pass->GetBaker().samples();
 }
 
-const DepthMap& ShadowRenderer::depthMap(int cascade) {
+std::shared_ptr<const DepthMap> ShadowRenderer::sharedDepthMap(int cascade) {
   implementation_->requireFrame();
   return implementation_->pass->GetDepthMap(cascade);
 }

@@ -77,8 +77,11 @@ class ShadowRenderer {
   // Exact percentage-closer filtering of every pixel of the last frame over the region that the
   // frame's read averages; 1 where there is no surface. One channel.
   Image<float> reference();
-  // The depths of one cascade's map; they are read back once per bake.
-  const DepthMap& depthMap(int cascade = 0);
+  // The depths of one cascade's map. They are read back once per bake and never changed: whoever
+  // keeps them has this bake's, and two that are the same object are of the same bake.
+  std::shared_ptr<const DepthMap> sharedDepthMap(int cascade = 0);
+  // The same, for as long as nothing is rendered.
+  const DepthMap& depthMap(int cascade = 0) { return *sharedDepthMap(cascade); }
   // The technique's channels of one cascade, interleaved in the technique's order.
   Image<float> channels(BakeStage stage, int cascade = 0);
 

@@ -241,7 +241,7 @@ void vtkUmbraFramePass::BakeDepth(const vtkRenderState* state) {
   const std::size_t count = this->Cascades.size();
   if (this->Stale == Stage::Depth || this->Drawn.size() != count) {
     this->Drawn.clear();
-    this->DepthValues.assign(count, std::nullopt);
+    this->DepthValues.assign(count, nullptr);
     const int size = this->Settings.map.size;
     const int samples = vtkUmbraDepthPass::SamplesGiven(this->Settings.map.samples);
     this->Baker.prepareDepth(size, size, int(count), samples);
@@ -352,10 +352,10 @@ void vtkUmbraFramePass::Show(vtkRenderer* renderer) {
   glUseProgram(0);
 }
 
-const DepthMap& vtkUmbraFramePass::GetDepthMap(int cascade) {
-  std::optional<DepthMap>& map = this->DepthValues.at(std::size_t(cascade));
-  if (!map) map = this->Baker.readDepth(cascade);
-  return *map;
+std::shared_ptr<const DepthMap> vtkUmbraFramePass::GetDepthMap(int cascade) {
+  std::shared_ptr<const DepthMap>& map = this->DepthValues.at(std::size_t(cascade));
+  if (!map) map = std::make_shared<const DepthMap>(this->Baker.readDepth(cascade));
+  return map;
 }
 
 MapReads vtkUmbraFramePass::Reads() const {

@@ -62,7 +62,8 @@ class vtkUmbraFramePass : public vtkRenderPass {
   const std::vector<Cascade>& FitCascades(vtkRenderer* renderer);
   const std::vector<Cascade>& GetCascades() const { return this->Cascades; }
   const FrameSettings& GetSettings() const { return this->Settings; }
-  const DepthMap& GetDepthMap(int cascade = 0);
+  // Read back once per bake: equal pointers mean that nothing was drawn anew between them.
+  std::shared_ptr<const DepthMap> GetDepthMap(int cascade = 0);
   // Two floats a pixel, bottom row first: visibility and reference.
   std::vector<float> EvaluateSurfaces();
 
@@ -108,8 +109,8 @@ class vtkUmbraFramePass : public vtkRenderPass {
   std::unique_ptr<Technique> Asked;    // as it was set
   std::unique_ptr<Technique> Adapted;  // to the depth map and the format
   Stage Stale = Stage::Depth;
-  // One for each cascade, read back once per bake.
-  std::vector<std::optional<DepthMap>> DepthValues;
+  // One for each cascade, once it has been asked for in this bake.
+  std::vector<std::shared_ptr<const DepthMap>> DepthValues;
   bool FrameDrawn = false;
   MapReads DrawnReads;  // the reads of the last frame
   std::exception_ptr Error;

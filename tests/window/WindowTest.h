@@ -28,6 +28,8 @@ class WindowTest : public QObject {
   void hoveringProbesAndLeavingKeepsTheProbe();
   void aPinnedProbeStaysOnItsPoint();
   void aHiddenProbeFollowsTheParameters();
+  void aTexelIsProbedOnce();
+  void anEditMakesEachTechniqueOnce();
   void keptProbesStayOnTheirPoints();
   void aKeptProbeIsGoneToRenamedAndDeleted();
   void keptProbesAreSavedAndOpenedAgain();

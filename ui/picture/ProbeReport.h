@@ -15,7 +15,7 @@ namespace umbra {
 
 struct ProbeReport {
   Probe probe;
-  // What the probe was taken of. Its maps are there only while the report is being announced.
+  // What the probe was taken of, with its maps for as long as it is kept: on any thread.
   std::shared_ptr<const ProbeRequest> request;
   Pixel pixel;          // of the view (device pixels), or the texel of a depth file
   bool pinned = false;  // by a click; else it follows the pointer

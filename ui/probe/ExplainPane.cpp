@@ -17,27 +17,6 @@ namespace {
 
 constexpr int stillFor = 200;  // ms
 
-// A request with maps of its own, for another thread.
-struct OwnRequest {
-  explicit OwnRequest(const ProbeRequest& other)
-      : map(other.map), next(other.seam ? other.seam->map : DepthMap()) {}
-
-  ProbeRequest with(const ProbeRequest& other) const {
-    ProbeRequest request{.map = map,
-                         .read = other.read,
-                         .kernel = other.kernel,
-                         .format = other.format,
-                         .receiver = other.receiver,
-                         .techniques = other.techniques,
-                         .cascade = other.cascade,
-                         .satPrecision = other.satPrecision};
-    if (other.seam) request.seam.emplace(SeamPart{next, other.seam->read, other.seam->weight});
-    return request;
-  }
-
-  DepthMap map, next;
-};
-
 }  // namespace
 
 ExplainPane::ExplainPane(SessionController& controller, Prober& prober, QWidget* parent)
@@ -58,13 +37,8 @@ ExplainPane::ExplainPane(SessionController& controller, Prober& prober, QWidget*
   still_.setSingleShot(true);
   still_.setInterval(stillFor);
   connect(&prober_, &Prober::reported, this, &ExplainPane::refresh);
-  // A request refers to maps that are there only while a probe is being reported.
-  connect(&still_, &QTimer::timeout, this, [this] {
-    stoodStill_ = true;
-    prober_.refresh();
-    stoodStill_ = false;
-  });
-  connect(chooser_, QOverload<int>::of(&QComboBox::activated), &prober_, &Prober::refresh);
+  connect(&still_, &QTimer::timeout, this, &ExplainPane::computeBeside);
+  connect(chooser_, QOverload<int>::of(&QComboBox::activated), this, &ExplainPane::refresh);
   show(std::nullopt);
 }
 
@@ -72,7 +46,7 @@ ExplainPane::~ExplainPane() = default;
 
 void ExplainPane::setWatched(bool watched) {
   watched_ = watched;
-  if (watched) prober_.refresh();
+  if (watched) refresh();
 }
 
 const ExplainingPlot& ExplainPane::chosen() const {
@@ -97,24 +71,23 @@ void ExplainPane::refresh() {
     show(std::nullopt);
   } else if (!chosen().slow) {
     show(explainingPlot(chosen().name, inputFor(*report->request, report->probe)));
-  } else if (stoodStill_) {
-    computeBeside(*report);
   } else {
     still_.start();
   }
 }
 
-void ExplainPane::computeBeside(const ProbeReport& report) {
-  const auto own = std::make_shared<const OwnRequest>(*report.request);
-  const ProbeRequest request = own->with(*report.request);
-  const Probe probe = report.probe;
-  const ExplainingInput described = inputFor(request, probe);
-  thread_ = std::jthread([this, own, request, probe, described, number = asked_,
+void ExplainPane::computeBeside() {
+  const auto& report = prober_.report();
+  if (!report) return;  // its end is announced, and empties the plot
+  const auto request = report->request;
+  const Probe probe = report->probe;
+  const ExplainingInput described = inputFor(*request, probe);
+  thread_ = std::jthread([this, request, probe, described, number = asked_,
                           name = chosen().name](const std::stop_token& stop) {
     struct Stopped {};
     std::optional<Plot> plot;
     try {
-      plot = explainingPlot(name, {request, probe, described.selected, described.planes}, [&] {
+      plot = explainingPlot(name, {*request, probe, described.selected, described.planes}, [&] {
         if (stop.stop_requested()) throw Stopped{};
       });
     } catch (const Stopped&) {

@@ -18,7 +18,7 @@ class Prober;
 class SessionController;
 
 // Shows the chosen plot while it is watched and computes none otherwise. One that takes long is
-// computed beside the interface's thread, from copies of the maps, once the probe stands still.
+// computed beside the interface's thread once the probe stands still.
 class ExplainPane : public QWidget {
   Q_OBJECT
 
@@ -32,7 +32,7 @@ class ExplainPane : public QWidget {
 
  private:
   void refresh();
-  void computeBeside(const ProbeReport& report);
+  void computeBeside();
   void finished(int number, const std::optional<Plot>& plot);
   void show(const std::optional<Plot>& plot);
   ExplainingInput inputFor(const ProbeRequest& request, const Probe& probe) const;
@@ -43,9 +43,8 @@ class ExplainPane : public QWidget {
   QComboBox* chooser_;
   PlotPane* plot_;
   bool watched_ = false;
-  QTimer still_;             // the probe has not moved since
-  bool stoodStill_ = false;  // the next report may be computed beside
-  int asked_ = 0;            // number of the computation that is wanted
+  QTimer still_;   // the probe has not moved since
+  int asked_ = 0;  // number of the computation that is wanted
   std::jthread thread_;
 };
 

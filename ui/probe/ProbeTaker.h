@@ -14,7 +14,7 @@ class SceneView;
 class SessionController;
 struct Document;
 
-// With the session's settings, in the last frame's maps. Techniques are adapted to a map once,
+// With the session's settings, in the last frame's maps. A technique is adapted to a map once,
 // whoever takes a probe in it.
 class ProbeTaker {
  public:
@@ -25,19 +25,23 @@ class ProbeTaker {
   // Of the depth file; none where it has no such texel.
   std::optional<ProbeReport> at(const Pixel& texel, const std::optional<double>& receiver);
 
-  // What was adapted may be of settings that are gone.
-  void sessionChanged(const Document& before, const Document& after);
-
  private:
-  void adaptTechniques(const DepthMap& map, int revision);
-  // `first` is the map of the first cascade, to which techniques are adapted.
-  ProbeReport probe(ProbeRequest request, const DepthMap& first, int revision);
+  using SharedMap = std::shared_ptr<const DepthMap>;
+  struct Adapted {
+    std::shared_ptr<const Technique> asSet;  // the controller's
+    std::vector<double> splits;              // that the frame was drawn with
+    std::shared_ptr<const Technique> technique;
+  };
+
+  void adaptTechniques(const SharedMap& map);
+  // `first` is the map of the first cascade, to which techniques are adapted; the report keeps
+  // `maps`, which the request refers to.
+  ProbeReport probe(ProbeRequest request, const SharedMap& first, std::vector<SharedMap> maps);
 
   SessionController& controller_;
   SceneView& view_;
-  std::vector<std::shared_ptr<const Technique>> adapted_;  // to the map of `adaptedTo_`
-  int adaptedTo_ = -1;
-  std::vector<double> splits_;  // that the picture's technique has in adapted_
+  std::vector<Adapted> adapted_;
+  SharedMap adaptedTo_;
 };
 
 }  // namespace umbra

@@ -24,15 +24,14 @@ Pixel scaledPixel(const Pixel& pixel, const Session& session, const QSize& to) {
 
 Prober::Prober(SessionController& controller, SceneView& view, QObject* parent)
     : QObject(parent), controller_(controller), view_(view), taker_(controller, view) {
-  connect(&view_, &SceneView::frameDrawn, this, &Prober::refresh);
+  connect(&view_, &SceneView::frameDrawn, this, &Prober::probeNewFrame);
   connect(&view_, &SceneView::hovered, this, &Prober::hover);
   connect(&view_, &SceneView::clicked, this, &Prober::pin);
-  connect(&view_, &SceneView::failed, this, &Prober::refresh);
+  connect(&view_, &SceneView::failed, this, &Prober::probeNewFrame);
   connect(&controller_, &SessionController::changed, this, &Prober::sessionChanged);
 }
 
 void Prober::sessionChanged(const Document& before, const Document& after) {
-  taker_.sessionChanged(before, after);
   const bool moved = !(before.session.probe == after.session.probe);
   const NamedProbe* kept = keptProbe();
   if (kept && kept->point && !(held_ && held_->point() == *kept->point))
@@ -43,6 +42,7 @@ void Prober::sessionChanged(const Document& before, const Document& after) {
     hover_.reset();
     held_.reset();
     report_.reset();
+    answered_.reset();
     emit reported();
   }
   if (after.content.depth) refresh();  // a scene is probed after the frame that follows
@@ -67,12 +67,18 @@ std::optional<Eigen::Vector3d> Prober::pinnedPoint() const {
 void Prober::setVeil(const QString& reason) {
   if (reason == veil_) return;
   veil_ = reason;
-  // A report refers to maps that are there only while it is announced: what is seen again is taken
-  // again, once all have heard of what lifts the veil.
+  // What is seen again is shown once all have heard of what lifts the veil.
   if (reason.isEmpty())
-    QMetaObject::invokeMethod(this, &Prober::refresh, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(this, &Prober::showAgain, Qt::QueuedConnection);
   else
     emit reported();
+}
+
+void Prober::showAgain() {
+  if (answered_ == question())
+    emit reported();
+  else
+    refresh();
 }
 
 void Prober::hover(const Pixel& pixel) {
@@ -143,12 +149,37 @@ void Prober::settlePixel() {
     controller_.amend([&](Session& session) { place(session, *pixel); });
 }
 
+void Prober::probeNewFrame() {
+  answered_.reset();
+  refresh();
+}
+
+Prober::Question Prober::question() const {
+  const Document& document = controller_.document();
+  const Session& session = document.session;
+  Question question{document.content,
+                    session.frame,
+                    session.technique,
+                    controller_.techniques(),
+                    session.probe,
+                    {},
+                    {},
+                    session.keptProbe,
+                    session.receiver};
+  if (!session.probe) question.hovered = hover_;
+  if (held_) question.held = held_->point();
+  return question;
+}
+
 void Prober::refresh() {
   // A frame of other settings, or of another scene, says nothing of the present ones; the one that
   // follows is probed.
   if (controller_.document().content.scene && view_.stale()) return;
+  if (answered_ == question()) return;
   try {
+    answered_.reset();
     report_ = take();
+    answered_ = question();  // the place may have been found only now
     emit reported();
   } catch (const std::exception& problem) {
     report_.reset();  // of settings that are gone

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <optional>
 
+#include "datasets/session/LoadSource.h"
 #include "ui/picture/ProbeReport.h"
 #include "ui/probe/HeldPoint.h"
 #include "ui/probe/ProbeTaker.h"
@@ -34,7 +35,7 @@ class Prober : public QObject {
   void hover(const Pixel& pixel);  // of the picture, or a texel
   void pin(const Pixel& pixel);    // a step for undo
   void unpin();
-  // Probes again where the probe is: after a frame, or a change.
+  // Probes where the probe is: once for each frame, place and setting, however often it is asked.
   void refresh();
   // World; where the pinned probe is held. Given back, it is held there again, whatever size the
   // picture has by then.
@@ -59,6 +60,23 @@ class Prober : public QObject {
   void failed(const QString& message);
 
  private:
+  // What a probe depends on beside the frame, of which each is probed.
+  struct Question {
+    Content content;
+    FrameSettings frame;
+    std::string technique;
+    std::vector<std::shared_ptr<const Technique>> techniques;
+    std::optional<Pixel> pinned, hovered;
+    std::optional<Eigen::Vector3d> held;
+    std::string kept;
+    std::optional<double> receiver;
+
+    bool operator==(const Question&) const = default;
+  };
+
+  void probeNewFrame();
+  void showAgain();
+  Question question() const;
   std::optional<Pixel> findWorstBleeding();
   std::optional<ProbeReport> take();
   std::optional<SurfacePlace> currentPlace();
@@ -70,7 +88,8 @@ class Prober : public QObject {
   std::optional<ProbeReport> report_, hidden_;  // hidden_ is always empty
   QString veil_;
   std::optional<Pixel> hover_;
-  std::optional<HeldPoint> held_;  // once the frame has told it; of a hover the last place
+  std::optional<HeldPoint> held_;     // once the frame has told it; of a hover the last place
+  std::optional<Question> answered_;  // by report_, in the last frame
   ProbeTaker taker_;
 };
 

@@ -43,9 +43,10 @@ class DocumentCommand : public QUndoCommand {
   int group_;
 };
 
-SessionController::SessionController(const Session& session, QObject* parent)
+SessionController::SessionController(const Session& session, QObject* parent,
+                                     TechniqueCatalogue catalogue)
     : QObject(parent),
-      catalogue_(allTechniques()),
+      catalogue_(std::move(catalogue)),
       document_{session, loadSource(session.source)},
       loader_(new SourceLoader(this)) {
   rebuildTechniques(session);
@@ -125,18 +126,31 @@ void SessionController::show(const Document& document) {
   emit changed(before, document_);
 }
 
+// Of a technique whose parameters and format stay as they are the instance stays, so that what was
+// found out about it holds.
 void SessionController::rebuildTechniques(const Session& session) {
+  if (!catalogue_.has(session.technique)) catalogue_.make(session.technique);  // throws
+  std::vector<Made> made;
   std::vector<std::shared_ptr<const Technique>> techniques;
-  std::vector<std::string> notices;
-  catalogue_.make(session.technique);  // throws for one that there is not
+  QStringList notices;
   for (const Technique* technique : catalogue_.all()) {
     const std::string id(technique->info().id);
-    const bool selected = id == session.technique;
-    techniques.push_back(techniqueOf(session, catalogue_, id, selected ? &notices : nullptr));
+    Made next{id, parametersOf(session, id), session.frame.map.format, {}, {}};
+    for (const Made& known : made_)
+      if (known.id == id && known.values == next.values && known.format == next.format)
+        next = known;
+    if (!next.technique) next.technique = techniqueOf(session, catalogue_, id, &next.limited);
+    if (id == session.technique) {
+      for (const std::string& notice : next.limited) notices << QString::fromStdString(notice);
+      if (const std::string loss = whyReadInexactly(session, *next.technique); !loss.empty())
+        notices << QString::fromStdString(loss);
+    }
+    techniques.push_back(next.technique);
+    made.push_back(std::move(next));
   }
+  made_ = std::move(made);
   techniques_ = std::move(techniques);
-  notices_.clear();
-  for (const std::string& notice : notices) notices_ << QString::fromStdString(notice);
+  notices_ = notices;
 }
 
 void SessionController::open(const Session& session) {

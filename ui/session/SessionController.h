@@ -22,7 +22,8 @@ class SessionController : public QObject {
 
  public:
   // Throws as loadSource does.
-  explicit SessionController(const Session& session, QObject* parent = nullptr);
+  explicit SessionController(const Session& session, QObject* parent = nullptr,
+                             TechniqueCatalogue catalogue = allTechniques());
 
   const Session& session() const { return document_.session; }
   const Document& document() const { return document_; }
@@ -72,6 +73,15 @@ class SessionController : public QObject {
 
  private:
   friend class DocumentCommand;
+  // A technique with what it was made of.
+  struct Made {
+    std::string id;
+    ParameterValues values;
+    StorageFormat format;
+    std::shared_ptr<const Technique> technique;
+    std::vector<std::string> limited;  // a sentence for each parameter that the format limits
+  };
+
   void push(const QString& text, Document after, const QString& mergeKey);
   void show(const Document& document);  // undo, redo and every edit end here
   void rebuildTechniques(const Session& session);
@@ -79,7 +89,8 @@ class SessionController : public QObject {
 
   TechniqueCatalogue catalogue_;
   Document document_;
-  std::vector<std::shared_ptr<const Technique>> techniques_;
+  std::vector<Made> made_;                                    // in the catalogue's order
+  std::vector<std::shared_ptr<const Technique>> techniques_;  // of made_
   QStringList notices_;
   QUndoStack undo_, visitUndo_;
   QUndoGroup history_;
