@@ -2,8 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/surfaces/SurfaceRead.h"
-#include "analysis/surfaces/SurfaceSpot.h"
+#include "analysis/surfaces/PointRead.h"
 #include "app/frames/FrameReads.h"
 #include "app/output/Cancellation.h"
 #include "app/reports/Reports.h"
@@ -61,41 +60,40 @@ SceneProbe takeSceneProbe(HeadlessFrame& frame, const Session& session,
   return result;
 }
 
-std::optional<Pixel> pixelIn(const PictureView& picture, const Eigen::Vector3d& point) {
-  const auto at = picture.pixelOf(point);
-  if (!at || at->minCoeff() < 0.0 || at->x() >= picture.width || at->y() >= picture.height)
-    return std::nullopt;
-  return Pixel{int(at->x()), int(at->y())};
-}
-
 struct KeptPlace {
   SeenSurface seen;
   std::string reason;  // why there is none
 };
 
+std::string reasonOf(NotRead why) {
+  switch (why) {
+    case NotRead::NoSurface:
+      return "no surface of the scene is there";
+    case NotRead::OutsideMap:
+      return "outside the shadow map";
+    case NotRead::NotInSight:
+      break;
+  }
+  return "not in sight, and the filter reads as wide as a pixel";
+}
+
 // Where the last frame reads the surface at `point`.
 KeptPlace placeOf(HeadlessFrame& frame, const Scene& scene, const Session& session,
                   const Eigen::Vector3d& point) {
-  const auto spot = surfaceNear(scene, point);
-  if (!spot) return {{}, "no surface of the scene is there"};
   const PictureView picture{session.camera.value_or(scene.camera), session.width, session.height};
-  const std::optional<Pixel> pixel = pixelIn(picture, point);
-  const auto shown = pixel ? frame.surfaceAt(pixel->x, pixel->y) : std::nullopt;
-  const bool seen = shown && isSeenAt(picture, point, spot->normal, shown->world);
-  if (seen && shown->isInMap() && isShownAt(picture, point, shown->world))
-    return {{*pixel, {*shown}}, {}};
   const Eigen::AlignedBox3d bounds = scene.lightBounds();
   const LightFrame light = fitLightFrame(session.light.value_or(scene.light), bounds);
-  const auto found = readOfSurface(
-      *spot, {picture, light, frame.cascades(), session.frame, bounds.diagonal().norm()});
-  if (const auto* why = std::get_if<Unreadable>(&found))
-    return {{},
-            *why == Unreadable::OutsideMap
-                ? "outside the shadow map"
-                : "not in sight, and the filter reads as wide as a pixel"};
-  SurfacePoint surface = std::get<SurfacePoint>(found);
-  surface.world = point;
-  return {{seen ? *pixel : Pixel{}, {surface}, !seen, true}, {}};
+  const auto spot = surfaceNear(scene, point);
+  std::optional<SeenPoint> seen;
+  if (spot)
+    seen =
+        seenPoint(point, *spot, picture, [&frame](int x, int y) { return frame.surfaceAt(x, y); });
+  const auto found = readOfPoint(
+      point, spot, {picture, light, frame.cascades(), session.frame, bounds.diagonal().norm()},
+      seen);
+  if (const auto* why = std::get_if<NotRead>(&found)) return {{}, reasonOf(*why)};
+  const auto& read = std::get<PointRead>(found);
+  return {{seen ? Pixel{seen->x, seen->y} : Pixel{}, {read.surface}, !seen, !read.asShown}, {}};
 }
 
 }  // namespace

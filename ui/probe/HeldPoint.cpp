@@ -59,49 +59,33 @@ bool HeldPoint::remembers(const SceneView& view, const Document& document) const
 }
 
 std::variant<SurfacePlace, NotRead> HeldPoint::find(SceneView& view, const Document& document) {
-  const std::optional<SurfacePlace> seen = visible(view, document);
-  if (seen && isShownAt(pictureOf(view), point_, seen->surface.world)) {
-    remember(*seen, view, document);
-    return *seen;
-  }
-  std::variant<SurfacePlace, NotRead> found = NotRead::NoSurface;
-  if (remembers(view, document) && !(seen && dependsOnCamera(document.session.frame)))
-    found = *lastShown_;
-  else
-    found = computed(view, document);
-  if (auto* place = std::get_if<SurfacePlace>(&found)) {
-    place->inSight = seen.has_value();
-    place->asShown = false;
-    if (seen) place->pixel = seen->pixel;
-  }
-  return found;
-}
-
-std::optional<SurfacePlace> HeldPoint::visible(SceneView& view, const Document& document) {
-  const std::optional<Pixel> pixel = view.pixelOf(point_);
-  const auto& spot = spotIn(document);
-  if (!pixel || !spot) return std::nullopt;
-  auto place = placeAt(view, *pixel);
-  if (!place || !isSeenAt(pictureOf(view), point_, spot->normal, place->surface.world))
-    return std::nullopt;  // something stands in front of the point
-  return place;
-}
-
-std::variant<SurfacePlace, NotRead> HeldPoint::computed(const SceneView& view,
-                                                        const Document& document) {
   const auto& spot = spotIn(document);
   if (!spot) return NotRead::NoSurface;
-  const ShadowRenderer& drawn = *view.lastFrame();
-  const double extent = document.content.scene->lightBounds().diagonal().norm();
-  const auto found = readOfSurface(*spot, {pictureOf(view), drawn.lightFrame(), drawn.cascades(),
-                                           document.session.frame, extent});
-  if (const auto* why = std::get_if<Unreadable>(&found))
-    return *why == Unreadable::OutsideMap ? NotRead::OutsideMap : NotRead::NotInSight;
+  const PictureView picture = pictureOf(view);
+  const std::optional<SeenPoint> seen = seenPoint(point_, *spot, picture, [&view](int x, int y) {
+    return view.surfaceAt({x, y});
+  });
+  const bool shown = seen && seen->isPoint;
   SurfacePlace place;
-  place.plane = Plane(spot->normal, spot->point);
-  place.pixel = lastShown_ ? lastShown_->pixel : document.session.probe.value_or(Pixel{});
-  place.surface = std::get<SurfacePoint>(found);
-  place.surface.world = point_;
+  if (!shown && remembers(view, document) && !(seen && dependsOnCamera(document.session.frame))) {
+    place = *lastShown_;
+  } else {
+    const ShadowRenderer& drawn = *view.lastFrame();
+    const double extent = document.content.scene->lightBounds().diagonal().norm();
+    const auto found = readOfPoint(
+        point_, spot,
+        {picture, drawn.lightFrame(), drawn.cascades(), document.session.frame, extent}, seen);
+    if (const auto* why = std::get_if<NotRead>(&found)) return *why;
+    place.surface = std::get<PointRead>(found).surface;
+    place.plane = Plane(spot->normal, spot->point);
+    place.pixel = lastShown_ ? lastShown_->pixel : document.session.probe.value_or(Pixel{});
+  }
+  place.inSight = seen.has_value();
+  place.asShown = shown;
+  if (seen) place.pixel = {seen->x, seen->y};
+  if (!shown) return place;
+  place.plane = view.surfacePlane(place.pixel, place.surface);
+  remember(place, view, document);
   return place;
 }
 

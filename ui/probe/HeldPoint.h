@@ -5,8 +5,7 @@
 #include <optional>
 #include <variant>
 
-#include "analysis/surfaces/SurfaceRead.h"
-#include "analysis/surfaces/SurfaceSpot.h"
+#include "analysis/surfaces/PointRead.h"
 #include "filters/gpu/ShadowRenderer.h"
 #include "ui/picture/Footprint.h"
 #include "ui/picture/ProbeReport.h"
@@ -28,8 +27,6 @@ struct SurfacePlace {
 // What the last frame shows at a pixel of the view; none in the sky and outside the shadow map.
 std::optional<SurfacePlace> placeAt(SceneView& view, const Pixel& pixel);
 
-enum class NotRead { NoSurface, OutsideMap, NotInSight };
-
 class HeldPoint {
  public:
   explicit HeldPoint(const Eigen::Vector3d& point) : point_(point) {}
@@ -38,18 +35,15 @@ class HeldPoint {
 
   const Eigen::Vector3d& point() const { return point_; }  // world
 
-  // Where the last frame reads it. Where the frame shows the very point, it is the pixel's surface
-  // that is read, so that the figures are those of the picture. Else, so that they are still of the
-  // point while the camera moves, what was shown last while nothing else has changed; or as the
-  // frame would read the point, were it the middle of a pixel and nothing in front.
+  // Where the last frame reads it, by readOfPoint; but where a pixel showed the very point before
+  // and nothing but the camera has changed since, what was read there goes on to be read, so that
+  // the figures stay those of a picture.
   std::variant<SurfacePlace, NotRead> find(SceneView& view, const Document& document);
   // That it lies on, in a scene that has been drawn; "" where it lies on none.
   std::string objectName(const Document& document);
 
  private:
   const std::optional<SurfaceSpot>& spotIn(const Document& document);
-  std::optional<SurfacePlace> visible(SceneView& view, const Document& document);
-  std::variant<SurfacePlace, NotRead> computed(const SceneView& view, const Document& document);
   bool remembers(const SceneView& view, const Document& document) const;
   void remember(const SurfacePlace& place, const SceneView& view, const Document& document);
 
