@@ -117,6 +117,14 @@ BleedReduction bleedReductionOver(std::span<const BoundSample> samples, double l
   return found;
 }
 
+std::optional<BleedReduction> bleedReductionOfFrame(
+    const Technique& technique,
+    const std::function<std::vector<BoundSample>(const Technique& bound)>& samplesOf) {
+  const std::optional<double> largest = largestBleedReduction(technique);
+  if (!largest) return std::nullopt;
+  return bleedReductionOver(samplesOf(*withBleedReduction(technique, 0.0)), *largest);
+}
+
 std::optional<BleedReduction> bleedReductionOnMap(const DepthMap& map, const Technique& technique,
                                                   const Kernel& kernel, StorageFormat format,
                                                   double receiver) {

@@ -1,6 +1,7 @@
 // The smallest light-bleeding reduction that removes all light bleeding, and what it costs.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -61,6 +62,13 @@ std::vector<BoundSample> boundSamplesOf(const SurfaceImage& surfaces,
 // reaches 1 before its reference does, so that no amount below 1 would be enough for receivers in a
 // penumbra.
 BleedReduction bleedReductionOver(std::span<const BoundSample> samples, double largest);
+
+// The reduction for a frame of the technique, whatever amount it is set to. `samplesOf` measures
+// the frame without any reduction, with the technique that it is given. Nothing where the technique
+// has no such parameter.
+std::optional<BleedReduction> bleedReductionOfFrame(
+    const Technique& technique,
+    const std::function<std::vector<BoundSample>(const Technique& bound)>& samplesOf);
 
 // The reduction for receivers at depth `receiver` at every texel of a map, by point reads of the
 // prefiltered map. Nothing where the technique has no such parameter.

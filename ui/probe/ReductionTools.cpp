@@ -7,6 +7,7 @@
 #include <cmath>
 #include <exception>
 
+#include "analysis/frame/AdaptedTechnique.h"
 #include "ui/picture/SceneView.h"
 #include "ui/probe/Prober.h"
 #include "ui/session/SessionController.h"
@@ -96,15 +97,15 @@ void ReductionTools::findForFrame() {
 BleedReduction ReductionTools::measureFrame() const {
   const Document& document = controller_.document();
   const FrameSettings& frame = document.session.frame;
-  const std::unique_ptr<Technique> technique = withBleedReduction(controller_.technique(), 0.0);
-  if (const DepthMap* map = document.content.depth.get()) {
-    technique->adapt(*map);
-    return *bleedReductionOnMap(*map, *technique, frame.kernel, frame.map.format,
-                                document.session.receiver.value_or(0.5));
-  }
-  const auto [surfaces, reference] = view_.measure(*technique);
-  return bleedReductionOver(boundSamplesOf(surfaces, reference),
-                            *largestBleedReduction(*technique));
+  const Technique& technique = controller_.technique();
+  if (const DepthMap* map = document.content.depth.get())
+    return *bleedReductionOnMap(*map, *adaptedTechnique(technique, *map), frame.kernel,
+                                frame.map.format,
+                                document.session.receiver.value_or(NamedProbe::depthOnFile));
+  return *bleedReductionOfFrame(technique, [this](const Technique& bound) {
+    const auto [surfaces, reference] = view_.measure(bound);
+    return boundSamplesOf(surfaces, reference);
+  });
 }
 
 void ReductionTools::take(const BleedReduction& found, const QString& removes,
