@@ -5,7 +5,7 @@
 
 namespace umbra {
 
-ErrorDecomposition decomposeFrame(const DrawnFrame& frame, const Image<float>& reference,
+ErrorDecomposition decomposeFrame(const FrameSnapshot& frame, const Image<float>& reference,
                                   const std::shared_ptr<const Technique>& technique,
                                   const DecompositionSettings& how, int stride,
                                   const std::function<void(double)>& progress) {
@@ -29,7 +29,7 @@ ErrorDecomposition decomposeFrame(const DrawnFrame& frame, const Image<float>& r
   return result;
 }
 
-Image<float> referenceOf(const DrawnFrame& frame, int stride,
+Image<float> referenceOf(const FrameSnapshot& frame, int stride,
                          const std::function<void(double)>& progress) {
   const SurfaceImage& surfaces = frame.surfaces;
   Image<float> reference(surfaces.width(), surfaces.height(), 1, 1.0f);
@@ -46,7 +46,7 @@ Image<float> referenceOf(const DrawnFrame& frame, int stride,
   return reference;
 }
 
-int decompositionStride(const DrawnFrame& frame, const Technique& technique,
+int decompositionStride(const FrameSnapshot& frame, const Technique& technique,
                         const DecompositionSettings& how, double mostTaps,
                         const std::function<void()>& check) {
   constexpr int step = 16;  // the cost is judged by every sixteenth pixel along both axes

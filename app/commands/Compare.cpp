@@ -171,7 +171,7 @@ void CompareCommand::compareScene(const Session& session) const {
   const auto chosen = techniques(session);
   const auto scene = std::make_shared<const Scene>(loadScene(session.source));
   std::optional<SurfaceCompare> onSurfaces;
-  if (asked) onSurfaces.emplace(scene, session.frame, *asked);
+  if (asked) onSurfaces.emplace(session.frame, *asked);
   const std::unique_ptr<Display> display = loadDisplay();
   const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
   std::optional<OutputFolder> files;
@@ -182,19 +182,19 @@ void CompareCommand::compareScene(const Session& session) const {
     throwIfCancelled();
     const std::string id(technique->info().id);
     frame->render(*technique, rayTraced() ? ViewMode::Shaded : ViewMode::Error);
-    if (rayTraced() && !rays) rays = rayTracedReference(*frame, *scene, session.frame);
+    if (rayTraced() && !rays) rays = rayTracedReference(*frame);
     if (files && !rays)
       display->writePictures({{id, frame->colour()}}, files->file("error-" + id + ".png"));
     std::optional<ErrorSums> parts;
     if (decompose) {
-      const ErrorDecomposition taken = decomposeFrame(*frame, session.frame, *technique);
+      const ErrorDecomposition taken = decomposeFrame(*frame);
       parts = sumsOf(taken);
       if (files)
         decompositionFile(session, *technique, taken)
             .write(files->file("decomposition-" + id + ".exr"));
     }
     std::optional<SurfaceErrors> onMesh;
-    if (onSurfaces) onMesh = onSurfaces->errors(*frame, *technique);
+    if (onSurfaces) onMesh = onSurfaces->errors(*frame);
     if (onMesh && files)
       onSurfaces->write(onMesh->mesh, files->file(onSurfaces->fileName(*technique)), *display);
     rows.push_back(compareFrame(*frame, *technique, rays ? &*rays : nullptr));

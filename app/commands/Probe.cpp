@@ -2,9 +2,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "analysis/frame/FrameReads.h"
 #include "app/commands/Commands.h"
 #include "app/display/DisplayLibrary.h"
-#include "app/frames/FrameReads.h"
 #include "app/frames/NamedProbes.h"
 #include "app/frames/RayTracedFrame.h"
 #include "app/frames/SceneProbe.h"
@@ -28,8 +28,8 @@ struct ProbeCommand {
   void probeDepthMap(Session session) const;
   void probePixel(const Session& session) const;
   void probeKept(const Session& session, const std::vector<NamedProbe>& kept,
-                 const std::vector<std::shared_ptr<Technique>>& chosen, const Scene& scene,
-                 HeadlessFrame& frame, Display& display) const;
+                 const std::vector<std::shared_ptr<Technique>>& chosen, HeadlessFrame& frame,
+                 Display& display) const;
   std::vector<NamedProbe> keptOnes(const Session& session) const;
   std::vector<std::shared_ptr<Technique>> techniques(const Session& session) const;
   bool rayTraced() const;
@@ -38,13 +38,13 @@ struct ProbeCommand {
     ProbeRequest request;
     Probe probe;
     Json json;
-    std::optional<double> truth;  // by rays, where errors are against it
+    std::optional<double> truth;                 // by rays, where errors are against it
+    std::shared_ptr<const FrameSnapshot> frame;  // whose maps the request refers to, of a scene
   };
   Taken takeTexel(const Session& session, const DepthMap& map,
                   const std::vector<std::shared_ptr<Technique>>& chosen, Pixel at,
                   double depth) const;
-  Taken describe(SceneProbe probe, HeadlessFrame& frame, const Scene& scene, const Session& session,
-                 const std::vector<std::shared_ptr<Technique>>& chosen) const;
+  Taken describe(SceneProbe probe, HeadlessFrame& frame, const Session& session) const;
   void finishTable(const Json& source, const std::vector<NamedResult>& results) const;
   // Writes or prints what was asked for.
   void finish(const Taken& taken, const Session& session, Display* display) const;
@@ -208,18 +208,17 @@ void ProbeCommand::probePixel(const Session& session) const {
   const auto scene = std::make_shared<const Scene>(loadScene(session.source));
   const std::unique_ptr<Display> display = loadDisplay();
   const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
-  if (!kept.empty()) return probeKept(session, kept, chosen, *scene, *frame, *display);
+  if (!kept.empty()) return probeKept(session, kept, chosen, *frame, *display);
   if (!place) place = worstBleeding(*frame, *suspectOf(chosen));
-  const Taken taken =
-      describe(probeScene(*frame, session, chosen, *place), *frame, *scene, session, chosen);
+  const Taken taken = describe(probeScene(*frame, session, chosen, *place), *frame, session);
   finish(taken, session, display.get());
 }
 
 void ProbeCommand::probeKept(const Session& session, const std::vector<NamedProbe>& kept,
                              const std::vector<std::shared_ptr<Technique>>& chosen,
-                             const Scene& scene, HeadlessFrame& frame, Display& display) const {
+                             HeadlessFrame& frame, Display& display) const {
   const auto byHand = receiver ? session.receiver : std::optional<double>();
-  auto probes = umbra::probeKept(frame, scene, session, chosen, kept, byHand);
+  auto probes = umbra::probeKept(frame, session, chosen, kept, byHand);
   std::vector<NamedResult> results;
   for (std::size_t i = 0; i < kept.size(); ++i) {
     NamedResult& result = results.emplace_back(NamedResult{kept[i], {}, {}, probes[i].reason, {}});
@@ -228,7 +227,7 @@ void ProbeCommand::probeKept(const Session& session, const std::vector<NamedProb
       throw Error(ErrorKind::BadCommandLine,
                   (named ? "--named: " : "keptProbe: ") + kept[i].name + ": " + probes[i].reason);
     }
-    Taken taken = describe(std::move(*probes[i].probe), frame, scene, session, chosen);
+    Taken taken = describe(std::move(*probes[i].probe), frame, session);
     if (named) taken.json["name"] = kept[i].name;
     if (!isTable()) return finish(taken, session, &display);
     result.probe = std::move(taken.probe);
@@ -239,24 +238,24 @@ void ProbeCommand::probeKept(const Session& session, const std::vector<NamedProb
 }
 
 // With what was asked for beside the probe.
-ProbeCommand::Taken ProbeCommand::describe(
-    SceneProbe probe, HeadlessFrame& frame, const Scene& scene, const Session& session,
-    const std::vector<std::shared_ptr<Technique>>& chosen) const {
+ProbeCommand::Taken ProbeCommand::describe(SceneProbe probe, HeadlessFrame& frame,
+                                           const Session& session) const {
   // A report for people says it only where it was asked for.
   std::optional<double> rays;
-  if (rayTraced() || json || folder)
-    rays = rayTracedVisibility(frame, scene, session.frame, probe.probe);
+  if (rayTraced() || json || folder) rays = rayTracedVisibility(frame, probe.probe);
   Json object = sceneProbeToJson(probe, frame.depthMap(), shortNameOf(session.source),
                                  session.frame.read.filter, binsOf(bins), samplesOf(samples));
   if (rays) addRayTraced(object, *rays, rayTraced());
   if (rayTraced())
     for (TechniqueResult& result : probe.probe.techniques) result.error = result.visibility - *rays;
   if (trace) addTraces(object, probe.probe);
-  ProbeRequest request = requestAt(frame, session.frame, probe.surface);
+  auto snapshot = frame.snapshot();
+  ProbeRequest request = requestOf(*snapshot, probe.surface);
   request.receiver = probe.probe.receiver;
-  request.techniques.assign(chosen.begin(), chosen.end());
+  for (const TechniqueResult& result : probe.probe.techniques)
+    request.techniques.push_back(result.technique);
   return {std::move(request), std::move(probe.probe), std::move(object),
-          rayTraced() ? rays : std::nullopt};
+          rayTraced() ? rays : std::nullopt, std::move(snapshot)};
 }
 
 void ProbeCommand::finishTable(const Json& source, const std::vector<NamedResult>& results) const {
@@ -274,7 +273,7 @@ void ProbeCommand::finishTable(const Json& source, const std::vector<NamedResult
 }
 
 void ProbeCommand::finish(const Taken& taken, const Session& session, Display* display) const {
-  const auto& [request, probe, object, truth] = taken;
+  const auto& [request, probe, object, truth, frame] = taken;
   if (json) return printJson(object);
   if (!folder && truth)
     print("ray traced " + shortNumber(*truth) + ", which the errors are against\n");

@@ -25,10 +25,10 @@ class HeadlessFrame {
   // These read back the last frame, as in ShadowRenderer.
   virtual Image<std::uint8_t> colour() = 0;
   virtual SurfaceImage surfaces() = 0;
+  virtual std::shared_ptr<const FrameSnapshot> snapshot() = 0;
   virtual std::optional<SurfacePoint> surfaceAt(int x, int y) = 0;
   virtual Image<float> reference() = 0;
   virtual const DepthMap& depthMap(int cascade = 0) = 0;
-  virtual const std::vector<Cascade>& cascades() = 0;
   virtual Image<float> channels(BakeStage stage) = 0;
   // The pixel where light bleeds most plainly, which the window goes to as well. Nothing where no
   // spot of the picture bleeds so that anybody sees it.

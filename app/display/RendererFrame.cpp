@@ -36,6 +36,9 @@ Image<std::uint8_t> RendererFrame::colour() {
 SurfaceImage RendererFrame::surfaces() {
   return checked(renderer_.surfaces());
 }
+std::shared_ptr<const FrameSnapshot> RendererFrame::snapshot() {
+  return checked(renderer_.snapshot());
+}
 Image<float> RendererFrame::reference() {
   return checked(renderer_.reference());
 }
@@ -48,10 +51,6 @@ const DepthMap& RendererFrame::depthMap(int cascade) {
   const DepthMap& map = renderer_.depthMap(cascade);
   messages_->throwFirstError();
   return map;
-}
-
-const std::vector<Cascade>& RendererFrame::cascades() {
-  return renderer_.cascades();
 }
 
 Image<float> RendererFrame::channels(BakeStage stage) {

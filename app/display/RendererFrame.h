@@ -18,10 +18,10 @@ class RendererFrame final : public HeadlessFrame {
   void render(const Technique& technique, ViewMode view) override;
   Image<std::uint8_t> colour() override;
   SurfaceImage surfaces() override;
+  std::shared_ptr<const FrameSnapshot> snapshot() override;
   std::optional<SurfacePoint> surfaceAt(int x, int y) override;
   Image<float> reference() override;
   const DepthMap& depthMap(int cascade = 0) override;
-  const std::vector<Cascade>& cascades() override;
   Image<float> channels(BakeStage stage) override;
   std::optional<Pixel> plainestBleeding() override;
 

@@ -1,16 +1,13 @@
 #include "app/frames/FrameDecomposition.h"
 
 #include "analysis/errors/FrameDecomposition.h"
-#include "app/frames/FrameReads.h"
 #include "app/output/Cancellation.h"
 
 namespace umbra {
 
-ErrorDecomposition decomposeFrame(HeadlessFrame& frame, const FrameSettings& settings,
-                                  const Technique& technique, const DecompositionSettings& how) {
-  const std::shared_ptr<Technique> adapted = technique.clone();
-  adapted->adapt(frame.depthMap(0));
-  return decomposeFrame(drawnFrame(frame, settings), frame.reference(), adapted, how, 1,
+ErrorDecomposition decomposeFrame(HeadlessFrame& frame, const DecompositionSettings& how) {
+  const auto snapshot = frame.snapshot();
+  return decomposeFrame(*snapshot, frame.reference(), snapshot->technique, how, 1,
                         [](double) { throwIfCancelled(); });
 }
 

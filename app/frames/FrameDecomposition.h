@@ -9,10 +9,9 @@
 
 namespace umbra {
 
-// Decomposes the frame that was last rendered, with `technique` and `settings`. Can be interrupted.
-ErrorDecomposition decomposeFrame(HeadlessFrame& frame, const FrameSettings& settings,
-                                  const Technique& technique,
-                                  const DecompositionSettings& how = {});
+// Decomposes the frame that was last rendered, with the technique of that frame. Can be
+// interrupted.
+ErrorDecomposition decomposeFrame(HeadlessFrame& frame, const DecompositionSettings& how = {});
 
 // A file with a channel for each part, under its name, 0 where no shadow falls; "receives" is 1
 // where shadow falls.

@@ -1,6 +1,8 @@
 // The ray-traced reference of a rendered frame.
 #pragma once
 
+#include <memory>
+
 #include "analysis/probe/Probe.h"
 #include "analysis/rays/RayTracedVisibility.h"
 #include "app/display/Display.h"
@@ -14,16 +16,13 @@ struct RayTracedReference {
   int stride = 1;
 };
 
-// The rays through the maps of the last frame, `side` × `side` in every texel.
-RayTracedVisibility lightRays(HeadlessFrame& frame, const Scene& scene,
-                              const FrameSettings& settings, int side);
+// The rays through the maps of a frame, for many reads of it.
+std::unique_ptr<RayTracedVisibility> raysFor(const FrameSnapshot& frame);
 
 // The reference of every pixel of the last frame, computed on every core; can be interrupted.
-RayTracedReference rayTracedReference(HeadlessFrame& frame, const Scene& scene,
-                                      const FrameSettings& settings);
+RayTracedReference rayTracedReference(HeadlessFrame& frame);
 
 // The ray-traced reference of one probe of the last frame.
-double rayTracedVisibility(HeadlessFrame& frame, const Scene& scene, const FrameSettings& settings,
-                           const Probe& probe);
+double rayTracedVisibility(HeadlessFrame& frame, const Probe& probe);
 
 }  // namespace umbra

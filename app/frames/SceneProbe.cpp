@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "analysis/frame/FrameReads.h"
 #include "analysis/surfaces/PointRead.h"
-#include "app/frames/FrameReads.h"
 #include "app/output/Cancellation.h"
 #include "app/reports/Reports.h"
 #include "filters/core/support/Error.h"
@@ -41,17 +41,14 @@ struct SeenSurface {
   bool computed = false;  // whether the read was computed for the point, and not taken from a pixel
 };
 
-SceneProbe takeSceneProbe(HeadlessFrame& frame, const Session& session,
-                          const std::vector<std::shared_ptr<Technique>>& techniques,
+SceneProbe takeSceneProbe(HeadlessFrame& frame,
+                          const std::vector<std::shared_ptr<const Technique>>& techniques,
                           const SeenSurface& seen, const std::optional<double>& receiver) {
   const SurfacePoint& surface = seen.surfaces.front();
-  ProbeRequest request = requestAt(frame, session.frame, surface);
+  const auto snapshot = frame.snapshot();
+  ProbeRequest request = requestOf(*snapshot, surface);
   request.receiver = receiver.value_or(surface.receiver);
-  const DepthMap& first = frame.depthMap(0);
-  for (const auto& technique : techniques) {
-    technique->adapt(first);
-    request.techniques.push_back(technique);
-  }
+  request.techniques = techniques;
   SceneProbe result{takeProbe(request), seen.pixel, surface, seen.hidden};
   // A receiver set by hand is not the one that the frame was shaded with.
   if (receiver || seen.computed) return result;
@@ -78,19 +75,17 @@ std::string reasonOf(NotRead why) {
 }
 
 // Where the last frame reads the surface at `point`.
-KeptPlace placeOf(HeadlessFrame& frame, const Scene& scene, const Session& session,
-                  const Eigen::Vector3d& point) {
-  const PictureView picture{session.camera.value_or(scene.camera), session.width, session.height};
-  const Eigen::AlignedBox3d bounds = scene.lightBounds();
-  const LightFrame light = fitLightFrame(session.light.value_or(scene.light), bounds);
-  const auto spot = surfaceNear(scene, point);
+KeptPlace placeOf(HeadlessFrame& frame, const Eigen::Vector3d& point) {
+  const auto drawn = frame.snapshot();
+  const PictureView picture{drawn->camera, drawn->surfaces.width(), drawn->surfaces.height()};
+  const auto spot = surfaceNear(*drawn->scene, point);
   std::optional<SeenPoint> seen;
   if (spot)
     seen =
         seenPoint(point, *spot, picture, [&frame](int x, int y) { return frame.surfaceAt(x, y); });
+  const double extent = drawn->scene->lightBounds().diagonal().norm();
   const auto found = readOfPoint(
-      point, spot, {picture, light, frame.cascades(), session.frame, bounds.diagonal().norm()},
-      seen);
+      point, spot, {picture, drawn->light, drawn->cascades, drawn->settings, extent}, seen);
   if (const auto* why = std::get_if<NotRead>(&found)) return {{}, reasonOf(*why)};
   const auto& read = std::get<PointRead>(found);
   return {{seen ? Pixel{seen->x, seen->y} : Pixel{}, {read.surface}, !seen, !read.asShown}, {}};
@@ -110,27 +105,30 @@ std::shared_ptr<Technique> suspectOf(const std::vector<std::shared_ptr<Technique
 SceneProbe probeScene(HeadlessFrame& frame, const Session& session,
                       const std::vector<std::shared_ptr<Technique>>& techniques, Pixel pixel) {
   std::vector<SurfacePoint> surfaces;
+  std::vector<std::shared_ptr<const Technique>> drawn;
   for (const auto& technique : techniques) {
     throwIfCancelled();
     frame.render(*technique, ViewMode::Shaded);
     surfaces.push_back(surfaceOf(frame, session, pixel));
+    drawn.push_back(frame.snapshot()->technique);
   }
-  return takeSceneProbe(frame, session, techniques, {pixel, surfaces}, session.receiver);
+  return takeSceneProbe(frame, drawn, {pixel, surfaces}, session.receiver);
 }
 
-std::vector<KeptSceneProbe> probeKept(HeadlessFrame& frame, const Scene& scene,
-                                      const Session& session,
+std::vector<KeptSceneProbe> probeKept(HeadlessFrame& frame, const Session& session,
                                       const std::vector<std::shared_ptr<Technique>>& techniques,
                                       const std::vector<NamedProbe>& kept,
                                       const std::optional<double>& receiver) {
   std::vector<KeptPlace> places(kept.size());
+  std::vector<std::shared_ptr<const Technique>> drawn;
   for (const auto& technique : techniques) {
     throwIfCancelled();
     frame.render(*technique, ViewMode::Shaded);
+    drawn.push_back(frame.snapshot()->technique);
     for (std::size_t i = 0; i < kept.size(); ++i) {
       SeenSurface& seen = places[i].seen;
       if (technique == techniques.front())
-        places[i] = placeOf(frame, scene, session, *kept[i].point);
+        places[i] = placeOf(frame, *kept[i].point);
       else if (!seen.surfaces.empty() && !seen.computed)
         seen.surfaces.push_back(surfaceOf(frame, session, seen.pixel));
     }
@@ -141,8 +139,8 @@ std::vector<KeptSceneProbe> probeKept(HeadlessFrame& frame, const Scene& scene,
     KeptSceneProbe& result = results.emplace_back();
     result.reason = places[i].reason;
     if (result.reason.empty())
-      result.probe = takeSceneProbe(frame, session, techniques, places[i].seen,
-                                    receiver ? receiver : kept[i].receiver);
+      result.probe =
+          takeSceneProbe(frame, drawn, places[i].seen, receiver ? receiver : kept[i].receiver);
   }
   return results;
 }

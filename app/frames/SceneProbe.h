@@ -34,8 +34,7 @@ struct KeptSceneProbe {
 // Does the same for points. Where a pixel's middle shows the point, the probe has the read of that
 // pixel; elsewhere it has the read that such a pixel would have with nothing in front of the point.
 // `receiver` replaces each probe's own.
-std::vector<KeptSceneProbe> probeKept(HeadlessFrame& frame, const Scene& scene,
-                                      const Session& session,
+std::vector<KeptSceneProbe> probeKept(HeadlessFrame& frame, const Session& session,
                                       const std::vector<std::shared_ptr<Technique>>& techniques,
                                       const std::vector<NamedProbe>& kept,
                                       const std::optional<double>& receiver);

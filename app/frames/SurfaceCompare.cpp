@@ -21,16 +21,15 @@ double surfaceEdgeFrom(const std::string& text, std::string_view where) {
                     {SurfaceMeshSettings::shortestEdge, SurfaceMeshSettings::longestEdge});
 }
 
-SurfaceCompare::SurfaceCompare(std::shared_ptr<const Scene> scene, const FrameSettings& settings,
-                               const SurfaceOptions& options)
-    : scene_(std::move(scene)), settings_(settings), options_(options) {
-  if (const std::string reason = whyNoSurfaceErrors(settings_); !reason.empty())
+SurfaceCompare::SurfaceCompare(const FrameSettings& settings, const SurfaceOptions& options)
+    : options_(options) {
+  if (const std::string reason = whyNoSurfaceErrors(settings); !reason.empty())
     throw Error(ErrorKind::BadCommandLine, "--surfaces: " + reason);
 }
 
-const SurfaceMesh& SurfaceCompare::meshOn(HeadlessFrame& frame) {
+const SurfaceMesh& SurfaceCompare::meshOn(const FrameSnapshot& frame) {
   if (mesh_) return *mesh_;
-  mesh_ = surfaceMeshOf(*scene_, frame.cascades().front().frame, frame.depthMap().width(),
+  mesh_ = surfaceMeshOf(*frame.scene, frame.cascades.front().frame, frame.maps.front()->width(),
                         options_.mesh, throwIfCancelled);
   if (mesh_->edge > options_.mesh.edge)
     spdlog::warn(
@@ -40,13 +39,12 @@ const SurfaceMesh& SurfaceCompare::meshOn(HeadlessFrame& frame) {
   return *mesh_;
 }
 
-SurfaceErrors SurfaceCompare::errors(HeadlessFrame& frame, const Technique& technique) {
-  const std::unique_ptr<Technique> adapted = technique.clone();
-  adapted->adapt(frame.depthMap());
-  return surfaceErrors(
-      meshOn(frame),
-      {*scene_, frame.cascades().front().frame, frame.depthMap(), settings_, *adapted},
-      [](double) { throwIfCancelled(); });
+SurfaceErrors SurfaceCompare::errors(HeadlessFrame& frame) {
+  const auto drawn = frame.snapshot();
+  return surfaceErrors(meshOn(*drawn),
+                       {*drawn->scene, drawn->cascades.front().frame, *drawn->maps.front(),
+                        drawn->settings, *drawn->technique},
+                       [](double) { throwIfCancelled(); });
 }
 
 std::string SurfaceCompare::fileName(const Technique& technique) const {

@@ -24,21 +24,18 @@ double surfaceEdgeFrom(const std::string& text, std::string_view where);
 // Measures techniques on the surfaces of one scene, which are divided once for all techniques.
 class SurfaceCompare {
  public:
-  SurfaceCompare(std::shared_ptr<const Scene> scene, const FrameSettings& settings,
-                 const SurfaceOptions& options);
+  SurfaceCompare(const FrameSettings& settings, const SurfaceOptions& options);
 
-  // Errors with the map of the frame that was last rendered. Works on every core; can be
-  // interrupted.
-  SurfaceErrors errors(HeadlessFrame& frame, const Technique& technique);
+  // Errors with the map of the frame that was last rendered, and with its technique. Works on every
+  // core; can be interrupted.
+  SurfaceErrors errors(HeadlessFrame& frame);
   // "bleeding-vsm.vtp"
   std::string fileName(const Technique& technique) const;
   void write(const FieldMesh& mesh, const std::filesystem::path& file, Display& display) const;
 
  private:
-  const SurfaceMesh& meshOn(HeadlessFrame& frame);
+  const SurfaceMesh& meshOn(const FrameSnapshot& frame);
 
-  std::shared_ptr<const Scene> scene_;
-  FrameSettings settings_;
   SurfaceOptions options_;
   std::optional<SurfaceMesh> mesh_;
 };

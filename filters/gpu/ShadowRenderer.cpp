@@ -97,6 +97,8 @@ class ShadowRenderer::Implementation {
   CascadeLines lines;
   std::shared_ptr<const Scene> scene;
   Light light;
+  Camera drawnCamera;
+  std::shared_ptr<const FrameSnapshot> snapshot;  // of the last frame, once asked for
 };
 
 ShadowRenderer::ShadowRenderer(vtkRenderWindow& window)
@@ -164,10 +166,12 @@ LightFrame ShadowRenderer::lightFrame() const {
 void ShadowRenderer::render() {
   Implementation& my = *implementation_;
   const VtkErrors errors;
+  my.snapshot.reset();
   my.updateLines();
   my.renderer->ResetCameraClippingRange();
   my.window.Render();
   my.pass->RethrowError();
+  my.drawnCamera = camera();
   if (!errors.messages().empty())
     throw Error(ErrorKind::WorkFailed, "VTK: " + errors.messages().front());
 }
@@ -191,6 +195,23 @@ SurfaceImage ShadowRenderer::surfaces() {
   implementation_->requireFrame();
   const vtkUmbraShadingPass& shading = implementation_->pass->GetShading();
   return {imageOf(shading.GetSurfaces()), imageOf(shading.GetFootprints())};
+}
+
+std::shared_ptr<const FrameSnapshot> ShadowRenderer::snapshot() {
+  Implementation& my = *implementation_;
+  my.requireFrame();
+  if (my.snapshot) return my.snapshot;
+  const auto snapshot = std::make_shared<FrameSnapshot>();
+  snapshot->scene = my.scene;
+  snapshot->camera = my.drawnCamera;
+  snapshot->settings = my.pass->GetDrawnSettings();
+  snapshot->light = lightFrame();
+  snapshot->cascades = cascades();
+  for (int i = 0; i < int(snapshot->cascades.size()); ++i)
+    snapshot->maps.push_back(sharedDepthMap(i));
+  snapshot->surfaces = surfaces();
+  snapshot->technique = my.pass->GetDrawnTechnique();
+  return my.snapshot = snapshot;
 }
 
 std::optional<SurfacePoint> ShadowRenderer::surfaceAt(int x, int y) {

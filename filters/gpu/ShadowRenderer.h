@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "filters/core/frame/FrameSnapshot.h"
 #include "filters/core/maps/Cascades.h"
 #include "filters/core/maps/Image.h"
 #include "filters/core/maps/Region.h"
@@ -72,6 +73,8 @@ class ShadowRenderer {
   // These read back the last frame and its bake. Pixel (0, 0) is the top-left one.
   Image<std::uint8_t> colour();  // RGB, as shown
   SurfaceImage surfaces();
+  // All that the last frame left. It is made once for each frame, when it is first asked for.
+  std::shared_ptr<const FrameSnapshot> snapshot();
   // One pixel's, with its place in the world; none outside the picture and without a surface.
   std::optional<SurfacePoint> surfaceAt(int x, int y);
   // Exact percentage-closer filtering of every pixel of the last frame over the region that the

@@ -160,6 +160,7 @@ void vtkUmbraFramePass::DrawFrame(const vtkRenderState* state) {
     const gl::PassTimer::Scope time(this->Timer, "view");
     this->Show(renderer);
     this->DrawnReads = this->Reads();
+    this->DrawnSettings = this->Settings;
     this->FrameDrawn = true;
   }
   vtkRenderState rest(renderer);

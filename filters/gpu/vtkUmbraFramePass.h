@@ -62,6 +62,9 @@ class vtkUmbraFramePass : public vtkRenderPass {
   const std::vector<Cascade>& FitCascades(vtkRenderer* renderer);
   const std::vector<Cascade>& GetCascades() const { return this->Cascades; }
   const FrameSettings& GetSettings() const { return this->Settings; }
+  // Of the last frame, which HasFrame() says there is.
+  const FrameSettings& GetDrawnSettings() const { return this->DrawnSettings; }
+  std::shared_ptr<const Technique> GetDrawnTechnique() const { return this->Adapted->clone(); }
   // Read back once per bake: equal pointers mean that nothing was drawn anew between them.
   std::shared_ptr<const DepthMap> GetDepthMap(int cascade = 0);
   // Two floats a pixel, bottom row first: visibility and reference.
@@ -113,6 +116,7 @@ class vtkUmbraFramePass : public vtkRenderPass {
   std::vector<std::shared_ptr<const DepthMap>> DepthValues;
   bool FrameDrawn = false;
   MapReads DrawnReads;  // the reads of the last frame
+  FrameSettings DrawnSettings;
   std::exception_ptr Error;
 };
 

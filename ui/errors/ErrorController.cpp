@@ -25,28 +25,23 @@ Image<std::uint8_t> maskOf(const QPolygonF& lasso, int width, int height) {
   return lassoMask(points, width, height);
 }
 
+// What `progress` throws stops it. The reference is not asked of the GPU: over wide regions a slow
+// one takes seconds, in which nothing would move.
+std::shared_ptr<const ErrorController::Taken> takenApart(
+    const FrameSnapshot& frame, const std::function<void(double)>& progress) {
+  const DecompositionSettings how;
+  const int stride =
+      decompositionStride(frame, *frame.technique, how, mostTaps, [&] { progress(0.0); });
+  constexpr double first = 0.25;  // of the time, for the reference
+  const Image<float> reference =
+      referenceOf(frame, stride, [&](double part) { progress(first * part); });
+  return std::make_shared<const ErrorController::Taken>(ErrorController::Taken{
+      style::text(frame.technique->info().title), frame.surfaces, reference,
+      decomposeFrame(frame, reference, frame.technique, how, stride,
+                     [&](double part) { progress(first + (1.0 - first) * part); })});
+}
+
 }  // namespace
-
-// A frame with maps of its own, for other threads.
-struct ErrorController::Gathered {
-  std::vector<DepthMap> maps;
-  DrawnFrame frame;  // refers to `maps`
-  std::shared_ptr<Technique> technique;
-
-  // What `progress` throws stops it.
-  std::shared_ptr<const Taken> taken(const std::function<void(double)>& progress) const {
-    const DecompositionSettings how;
-    const int stride =
-        decompositionStride(frame, *technique, how, mostTaps, [&] { progress(0.0); });
-    constexpr double first = 0.25;  // of the time, for the reference
-    const Image<float> reference =
-        referenceOf(frame, stride, [&](double part) { progress(first * part); });
-    return std::make_shared<const Taken>(
-        Taken{style::text(technique->info().title), frame.surfaces, reference,
-              decomposeFrame(frame, reference, technique, how, stride,
-                             [&](double part) { progress(first + (1.0 - first) * part); })});
-  }
-};
 
 ErrorController::ErrorController(SessionController& controller, SceneView& view, Prober& prober,
                                  QObject* parent)
@@ -121,23 +116,24 @@ void ErrorController::start() {
   // A frame that is still to come asks again.
   if (!watched_ || !obstacle().isEmpty() || current() || !view_.upToDate()) return;
   try {
-    computeBeside(gather());
+    view_.makeCurrent();
+    computeBeside(view_.lastFrame()->snapshot());
   } catch (const std::exception& problem) {
     emit failed(QString::fromUtf8(problem.what()));
   }
   emit changed();
 }
 
-void ErrorController::computeBeside(const std::shared_ptr<const Gathered>& gathered) {
+void ErrorController::computeBeside(const std::shared_ptr<const FrameSnapshot>& frame) {
   workKey_ = *presentKey();
   working_ = true;
   done_ = std::make_shared<std::atomic<double>>(0.0);
   tick_.start();
-  thread_ = std::jthread([this, gathered, done = done_, key = workKey_,
+  thread_ = std::jthread([this, frame, done = done_, key = workKey_,
                           number = ++asked_](const std::stop_token& stopped) {
     struct Stopped {};
     try {
-      const auto taken = gathered->taken([&](double part) {
+      const auto taken = takenApart(*frame, [&](double part) {
         if (stopped.stop_requested()) throw Stopped{};
         *done = part;
       });
@@ -151,26 +147,6 @@ void ErrorController::computeBeside(const std::shared_ptr<const Gathered>& gathe
           this, [=, this] { gaveUp(number, message); }, Qt::QueuedConnection);
     }
   });
-}
-
-// What needs OpenGL, on the interface's thread. The reference is none of it: over wide regions a
-// slow GPU takes seconds, in which nothing would move.
-std::shared_ptr<const ErrorController::Gathered> ErrorController::gather() {
-  view_.makeCurrent();
-  ShadowRenderer& frame = *view_.lastFrame();
-  const auto gathered = std::make_shared<Gathered>();
-  for (int i = 0; i < int(frame.cascades().size()); ++i)
-    gathered->maps.push_back(frame.depthMap(i));
-  gathered->frame = {controller_.session().frame, frame.surfaces(), frame.cascades(), {}};
-  for (const DepthMap& map : gathered->maps) gathered->frame.maps.push_back(&map);
-  gathered->technique = controller_.technique().clone();
-  // The picture's own splits, so that both agree to the last digit.
-  const std::vector<double> splits = frame.adaptedSplits();
-  if (splits.empty())
-    gathered->technique->adapt(gathered->maps.front());
-  else
-    gathered->technique->setAdaptedSplits(splits);
-  return gathered;
 }
 
 void ErrorController::stop() {

@@ -13,6 +13,7 @@
 
 #include "analysis/errors/ErrorDecomposition.h"
 #include "datasets/session/Session.h"
+#include "filters/core/frame/FrameSnapshot.h"
 
 namespace umbra {
 
@@ -78,13 +79,11 @@ class ErrorController : public QObject {
 
     bool operator==(const FrameKey&) const = default;
   };
-  struct Gathered;
 
   void refresh();
   std::optional<FrameKey> presentKey() const;
   void start();
-  std::shared_ptr<const Gathered> gather();
-  void computeBeside(const std::shared_ptr<const Gathered>& gathered);
+  void computeBeside(const std::shared_ptr<const FrameSnapshot>& frame);
   void stop();
   void finished(int number, const std::shared_ptr<const Taken>& taken, const FrameKey& key);
   void gaveUp(int number, const QString& message);

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "analysis/frame/DrawnFrame.h"
+#include "analysis/frame/FrameReads.h"
 #include "datasets/session/Session.h"
 #include "filters/core/maps/Cascades.h"
 #include "filters/core/maps/Image.h"

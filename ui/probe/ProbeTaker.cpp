@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "analysis/frame/AdaptedTechnique.h"
-#include "analysis/frame/DrawnFrame.h"
+#include "analysis/frame/FrameReads.h"
 #include "ui/picture/SceneView.h"
 #include "ui/session/SessionController.h"
 

@@ -1,4 +1,4 @@
-#include "analysis/frame/DrawnFrame.h"
+#include "analysis/frame/FrameReads.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,12 +23,18 @@ ProbeRequest requestOf(const FrameSettings& settings, const std::vector<Cascade>
   return request;
 }
 
-ProbeRequest requestAt(const DrawnFrame& frame, int x, int y) {
-  const auto mapOf = [&](int cascade) -> const DepthMap& { return *frame.maps[cascade]; };
-  return requestOf(frame.settings, frame.cascades, mapOf, frame.surfaces.at(x, y).value());
+ProbeRequest requestOf(const FrameSnapshot& frame, const SurfacePoint& surface) {
+  const auto mapOf = [&](int cascade) -> const DepthMap& {
+    return *frame.maps[std::size_t(cascade)];
+  };
+  return requestOf(frame.settings, frame.cascades, mapOf, surface);
 }
 
-double tapsOf(const DrawnFrame& frame, const std::function<bool(int x, int y)>& counts) {
+ProbeRequest requestAt(const FrameSnapshot& frame, int x, int y) {
+  return requestOf(frame, frame.surfaces.at(x, y).value());
+}
+
+double tapsOf(const FrameSnapshot& frame, const std::function<bool(int x, int y)>& counts) {
   constexpr int step = 16;
   double taps = 0.0;
   for (int y = 0; y < frame.surfaces.height(); y += step)

@@ -1,4 +1,4 @@
-#include "analysis/frame/DrawnFrame.h"
+#include "analysis/frame/FrameReads.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ struct Frame {
     drawn.settings.kernel = {KernelShape::Box, 2};
     drawn.settings.read.filter = ReadFilter::Bilinear;
     drawn.settings.map.format = StorageFormat::Half;
-    drawn.maps = {&map};
+    drawn.maps = {map};
     drawn.cascades.resize(1);
     drawn.surfaces = SurfaceImage(width, height);
     reference = Image<float>(width, height);
@@ -42,16 +42,17 @@ struct Frame {
     return decomposeFrame(drawn, reference, technique, {}, stride, [](double) {});
   }
 
-  DepthMap map = randomMap(32, 32, 5), next = randomMap(32, 32, 6);
-  DrawnFrame drawn;
+  std::shared_ptr<const DepthMap> map = std::make_shared<const DepthMap>(randomMap(32, 32, 5));
+  std::shared_ptr<const DepthMap> next = std::make_shared<const DepthMap>(randomMap(32, 32, 6));
+  FrameSnapshot drawn;
   Image<float> reference;
   std::shared_ptr<const Technique> technique;
 };
 
-TEST(DrawnFrame, APixelReadsWhatTheSettingsSay) {
+TEST(FrameReads, APixelReadsWhatTheSettingsSay) {
   const Frame frame("vsm");
   const ProbeRequest request = requestAt(frame.drawn, 7, 9);
-  EXPECT_EQ(&request.map, &frame.map);
+  EXPECT_EQ(&request.map, frame.map.get());
   EXPECT_EQ(request.read.filter, ReadFilter::Bilinear);
   EXPECT_EQ(request.read.u, double(7.0F / width));
   EXPECT_EQ(request.read.v, double(9.0F / height));
@@ -63,10 +64,10 @@ TEST(DrawnFrame, APixelReadsWhatTheSettingsSay) {
   EXPECT_FALSE(request.seam);
 }
 
-TEST(DrawnFrame, FootprintsAndCascadesAreThePixelsOwn) {
+TEST(FrameReads, FootprintsAndCascadesAreThePixelsOwn) {
   Frame frame("vsm");
   frame.drawn.settings.read.filter = ReadFilter::Anisotropic;
-  frame.drawn.maps = {&frame.map, &frame.next};
+  frame.drawn.maps = {frame.map, frame.next};
   frame.drawn.cascades.resize(2);
   frame.drawn.cascades[1].side = 0.5;
   frame.drawn.surfaces = SurfaceImage(width, height, true);
@@ -79,19 +80,19 @@ TEST(DrawnFrame, FootprintsAndCascadesAreThePixelsOwn) {
   frame.drawn.surfaces.set(4, 4, inNext);
   const ProbeRequest seam = requestAt(frame.drawn, 3, 4);
   EXPECT_EQ(seam.read.footprint, (Footprint{6.0, 2.0, 3}));
-  EXPECT_EQ(&seam.map, &frame.map);
+  EXPECT_EQ(&seam.map, frame.map.get());
   ASSERT_TRUE(seam.seam);
   EXPECT_EQ(seam.seam->weight, 0.25);
-  EXPECT_EQ(&seam.seam->map, &frame.next);
+  EXPECT_EQ(&seam.seam->map, frame.next.get());
   // Texels of a window half as wide are half as large.
   EXPECT_EQ(seam.seam->read.footprint, (Footprint{12.0, 4.0, 3}));
   const ProbeRequest next = requestAt(frame.drawn, 4, 4);
-  EXPECT_EQ(&next.map, &frame.next);
+  EXPECT_EQ(&next.map, frame.next.get());
   EXPECT_EQ(next.cascade, 1);
   EXPECT_FALSE(next.seam);
 }
 
-TEST(DrawnFrame, TapsAreCountedOnAGrid) {
+TEST(FrameReads, TapsAreCountedOnAGrid) {
   const Frame frame("vsm");
   // Pixels (0 | 16 | 32, 0 | 16) read positions half-way between texels or nearer to one: at
   // u = 0, v = 0 the taps left of the map repeat its edge and count as well.
@@ -103,7 +104,7 @@ TEST(DrawnFrame, TapsAreCountedOnAGrid) {
   EXPECT_EQ(tapsOf(frame.drawn, [](int x, int) { return x > 32; }), 0.0);
 }
 
-TEST(DrawnFrame, AGridReadsNoMoreThanIsAllowed) {
+TEST(FrameReads, AGridReadsNoMoreThanIsAllowed) {
   EXPECT_EQ(strideFor(0.0, 10.0), 1);
   EXPECT_EQ(strideFor(10.0, 10.0), 1);
   EXPECT_EQ(strideFor(11.0, 10.0), 2);
