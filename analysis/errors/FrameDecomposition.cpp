@@ -46,6 +46,27 @@ Image<float> referenceOf(const FrameSnapshot& frame, int stride,
   return reference;
 }
 
+Image<double> mapErrorsOf(const ErrorDecomposition& taken, const Image<float>& reference,
+                          const Image<float>& rays) {
+  Image<double> errors(reference.width(), reference.height());
+  for (int y = 0; y < errors.height(); ++y)
+    for (int x = 0; x < errors.width(); ++x)
+      if (taken.receives(x, y)) errors(x, y) = double(reference(x, y)) - double(rays(x, y));
+  return errors;
+}
+
+double meanOf(const Image<double>& values, const ErrorDecomposition& taken) {
+  double sum = 0.0;
+  std::size_t pixels = 0;
+  for (int y = 0; y < values.height(); ++y)
+    for (int x = 0; x < values.width(); ++x) {
+      if (!taken.receives(x, y)) continue;
+      sum += values(x, y);
+      ++pixels;
+    }
+  return pixels > 0 ? sum / double(pixels) : 0.0;
+}
+
 int decompositionStride(const FrameSnapshot& frame, const Technique& technique,
                         const DecompositionSettings& how, double mostTaps,
                         const std::function<void()>& check) {

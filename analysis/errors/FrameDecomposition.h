@@ -22,6 +22,14 @@ ErrorDecomposition decomposeFrame(const FrameSnapshot& frame, const Image<float>
 Image<float> referenceOf(const FrameSnapshot& frame, int stride,
                          const std::function<void(double)>& progress);
 
+// The error of the map itself, whatever the technique: exact percentage-closer filtering of the map
+// less the ray-traced reference `rays`. A pixel's parts and this add up to its error against rays.
+// One channel, in the pixels that were taken; 0 elsewhere.
+Image<double> mapErrorsOf(const ErrorDecomposition& taken, const Image<float>& reference,
+                          const Image<float>& rays);
+// The mean of `values` over the pixels that were taken; 0 without any.
+double meanOf(const Image<double>& values, const ErrorDecomposition& taken);
+
 // The stride at which both functions together take no longer than the technique's reads of
 // `mostTaps` taps. `check` is called now and then; an exception that it throws stops the work.
 int decompositionStride(

@@ -95,6 +95,7 @@ class Tile {
   }
 
   double referenceOf(const MapRead& read, double nearest, double farthest) const {
+    if (subject_.truth) return subject_.truth(regionFor(read), read.receiver);
     if (nearest >= read.receiver) return 1.0;
     if (farthest < read.receiver) return 0.0;
     return referenceVisibility(regionFor(read), read.receiver);
@@ -104,7 +105,8 @@ class Tile {
   ReadVisibility evaluateTexels(const MapRead& read) const {
     const Region region = regionFor(read);
     return {subject_.technique.visibility({{}, region}, read.receiver),
-            referenceVisibility(region, read.receiver)};
+            subject_.truth ? subject_.truth(region, read.receiver)
+                           : referenceVisibility(region, read.receiver)};
   }
 
   const ReadSubject& subject_;

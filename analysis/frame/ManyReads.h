@@ -19,7 +19,7 @@ struct MapRead {
 
 struct ReadVisibility {
   double visibility = 1.0;  // by the technique
-  double reference = 1.0;   // exact percentage-closer filtering over the same region
+  double reference = 1.0;   // the truth over the same region
 };
 
 struct ReadSubject {
@@ -29,6 +29,9 @@ struct ReadSubject {
   // Point, bilinear or summed area; a summed area's box is as wide as the kernel's window.
   ReadFilter filter = ReadFilter::Bilinear;
   StorageFormat format = StorageFormat::Float;
+  // What is true over a region at a receiver depth, where it is not exact percentage-closer
+  // filtering; called from many threads.
+  std::function<double(const Region& region, double receiver)> truth;
 };
 
 // Gives one result for each read, in their order. Works on every core. `progress` is called on the

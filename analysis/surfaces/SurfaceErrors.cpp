@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <initializer_list>
 
 #include "analysis/frame/ManyReads.h"
@@ -213,9 +214,10 @@ SurfaceErrors surfaceErrors(const SurfaceMesh& mesh, const SurfaceSubject& subje
   progress(0.0);
   const Reads reads = gather(mesh, subject);
   const FrameSettings& frame = subject.frame;
-  const std::vector<ReadVisibility> results = evaluateReads(
-      {subject.map, subject.technique, frame.kernel, frame.read.filter, frame.map.format},
-      reads.reads, progress);
+  ReadSubject read{subject.map, subject.technique, frame.kernel, frame.read.filter,
+                   frame.map.format};
+  if (subject.rays) read.truth = std::cref(*subject.rays);
+  const std::vector<ReadVisibility> results = evaluateReads(read, reads.reads, progress);
   SurfaceErrors errors{fieldMeshOf(mesh, subject.scene), {}};
   errors.summary.edge = mesh.edge;
   const std::size_t vertices = writeVertices(errors.mesh, reads.vertices, results);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/rays/RayTracedVisibility.h"
 #include "analysis/surfaces/SurfaceMesh.h"
 #include "filters/core/maps/Image.h"
 #include "filters/core/scene/FieldMesh.h"
@@ -21,6 +22,8 @@ struct SurfaceSubject {
   const DepthMap& map;         // as drawn
   const FrameSettings& frame;  // settings that whyNoSurfaceErrors accepts
   const Technique& technique;  // parameters set, adapted to the map
+  // The truth, where it is not exact percentage-closer filtering.
+  const RayTracedVisibility* rays = nullptr;
 };
 
 struct WorstPlace {

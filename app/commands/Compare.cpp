@@ -53,7 +53,8 @@ CompareCommand::CompareCommand(CLI::App& command) {
   command
       .add_flag("--decompose", decompose,
                 "Of a scene: also take each technique's error apart, into bleeding, contact leak, "
-                "over-darkening, reduction and precision")
+                "over-darkening, reduction and precision; with --reference raytraced also into the "
+                "map's own error")
       ->group(group);
   command
       .add_option(
@@ -66,7 +67,7 @@ CompareCommand::CompareCommand(CLI::App& command) {
       .add_option("--surfaces", surfaces,
                   "Of a scene: also the error on its surfaces, whoever looks at them, with areas; "
                   "-o writes bleeding-TECHNIQUE.vtp or .ply, a mesh with the error at every vertex "
-                  "and face")
+                  "and face; against what --reference says")
       ->type_name("vtp|ply")
       ->group(group);
   command
@@ -101,9 +102,6 @@ std::optional<SurfaceOptions> CompareCommand::surfaceOptions() const {
   if (surfaceEdge && !surfaces)
     throw Error(ErrorKind::BadCommandLine, "--surface-edge: only goes with --surfaces");
   if (!surfaces) return std::nullopt;
-  if (rayTraced())
-    throw Error(ErrorKind::BadCommandLine,
-                "--surfaces: are compared with pcf, leave --reference raytraced out");
   SurfaceOptions asked{surfaceFormatFrom(*surfaces, "--surfaces"), {}};
   if (surfaceEdge) asked.mesh.edge = surfaceEdgeFrom(*surfaceEdge, "--surface-edge");
   return asked;
@@ -112,9 +110,6 @@ std::optional<SurfaceOptions> CompareCommand::surfaceOptions() const {
 void CompareCommand::run() const {
   if (json && folder)
     throw Error(ErrorKind::BadCommandLine, "--json: excludes -o, give one of them");
-  if (rayTraced() && decompose)
-    throw Error(ErrorKind::BadCommandLine,
-                "--decompose: takes the error against pcf apart, leave --reference raytraced out");
   if (folder) checkWritable(std::filesystem::path(*folder) / "compare.json");
   const Session session = options.session(catalogue);
   if (session.source.kind == SourceKind::DepthFile)
@@ -171,7 +166,7 @@ void CompareCommand::compareScene(const Session& session) const {
   const auto chosen = techniques(session);
   const auto scene = std::make_shared<const Scene>(loadScene(session.source));
   std::optional<SurfaceCompare> onSurfaces;
-  if (asked) onSurfaces.emplace(session.frame, *asked);
+  if (asked) onSurfaces.emplace(session.frame, *asked, rayTraced());
   const std::unique_ptr<Display> display = loadDisplay();
   const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
   std::optional<OutputFolder> files;
@@ -186,9 +181,11 @@ void CompareCommand::compareScene(const Session& session) const {
     if (files && !rays)
       display->writePictures({{id, frame->colour()}}, files->file("error-" + id + ".png"));
     std::optional<ErrorSums> parts;
+    std::optional<double> mapError;
     if (decompose) {
-      const ErrorDecomposition taken = decomposeFrame(*frame);
-      parts = sumsOf(taken);
+      const DecomposedFrame taken = decomposeFrame(*frame, rays ? &*rays : nullptr);
+      parts = sumsOf(taken.parts);
+      mapError = taken.meanOfMap;
       if (files)
         decompositionFile(session, *technique, taken)
             .write(files->file("decomposition-" + id + ".exr"));
@@ -199,6 +196,7 @@ void CompareCommand::compareScene(const Session& session) const {
       onSurfaces->write(onMesh->mesh, files->file(onSurfaces->fileName(*technique)), *display);
     rows.push_back(compareFrame(*frame, *technique, rays ? &*rays : nullptr));
     rows.back().decomposition = parts;
+    rows.back().mapError = mapError;
     if (onMesh) rows.back().surfaces = onMesh->summary;
   }
   throwIfCancelled();

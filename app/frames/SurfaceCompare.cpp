@@ -2,6 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include "app/frames/RayTracedFrame.h"
 #include "app/options/OptionValues.h"
 #include "app/output/Cancellation.h"
 #include "datasets/meshes/FieldMeshPly.h"
@@ -21,8 +22,9 @@ double surfaceEdgeFrom(const std::string& text, std::string_view where) {
                     {SurfaceMeshSettings::shortestEdge, SurfaceMeshSettings::longestEdge});
 }
 
-SurfaceCompare::SurfaceCompare(const FrameSettings& settings, const SurfaceOptions& options)
-    : options_(options) {
+SurfaceCompare::SurfaceCompare(const FrameSettings& settings, const SurfaceOptions& options,
+                               bool rayTraced)
+    : options_(options), rayTraced_(rayTraced) {
   if (const std::string reason = whyNoSurfaceErrors(settings); !reason.empty())
     throw Error(ErrorKind::BadCommandLine, "--surfaces: " + reason);
 }
@@ -41,9 +43,10 @@ const SurfaceMesh& SurfaceCompare::meshOn(const FrameSnapshot& frame) {
 
 SurfaceErrors SurfaceCompare::errors(HeadlessFrame& frame) {
   const auto drawn = frame.snapshot();
+  if (rayTraced_ && !rays_) rays_ = raysFor(*drawn);
   return surfaceErrors(meshOn(*drawn),
                        {*drawn->scene, drawn->cascades.front().frame, *drawn->maps.front(),
-                        drawn->settings, *drawn->technique},
+                        drawn->settings, *drawn->technique, rays_.get()},
                        [](double) { throwIfCancelled(); });
 }
 

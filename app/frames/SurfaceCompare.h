@@ -24,7 +24,8 @@ double surfaceEdgeFrom(const std::string& text, std::string_view where);
 // Measures techniques on the surfaces of one scene, which are divided once for all techniques.
 class SurfaceCompare {
  public:
-  SurfaceCompare(const FrameSettings& settings, const SurfaceOptions& options);
+  // Against ray-traced visibility, or exact percentage-closer filtering.
+  SurfaceCompare(const FrameSettings& settings, const SurfaceOptions& options, bool rayTraced);
 
   // Errors with the map of the frame that was last rendered, and with its technique. Works on every
   // core; can be interrupted.
@@ -37,6 +38,8 @@ class SurfaceCompare {
   const SurfaceMesh& meshOn(const FrameSnapshot& frame);
 
   SurfaceOptions options_;
+  bool rayTraced_;
+  std::unique_ptr<RayTracedVisibility> rays_;  // through the one map
   std::optional<SurfaceMesh> mesh_;
 };
 

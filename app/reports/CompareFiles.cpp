@@ -21,10 +21,14 @@ std::string decompositionText(const std::vector<MetricsRow>& rows) {
     }
     table.front().push_back(heading);
   }
+  const bool againstRays = !rows.empty() && rows.front().mapError;
+  if (againstRays) table.front().push_back("MAP");
   for (const MetricsRow& row : rows) {
     if (!row.decomposition) continue;
-    table.push_back({row.technique, shortNumber(row.decomposition->error)});
+    const double error = row.decomposition->error + row.mapError.value_or(0.0);
+    table.push_back({row.technique, shortNumber(error)});
     for (double mean : row.decomposition->means) table.back().push_back(shortNumber(mean));
+    if (againstRays) table.back().push_back(shortNumber(*row.mapError));
   }
   return table.size() > 1 ? "\n" + tableText(table) : "";
 }
@@ -53,7 +57,7 @@ void writeCompare(OutputFolder& folder, const std::vector<MetricsRow>& rows,
 std::string compareText(const std::vector<MetricsRow>& rows) {
   std::vector<TableRow> table{
       {"TECHNIQUE", "RMSE", "MAE", "BLEEDING", "DARKENING", "MAX", "MIN", "UMBRA BLEEDING"}};
-  for (const auto& [id, m, reduction, decomposition, surfaces] : rows)
+  for (const auto& [id, m, reduction, decomposition, surfaces, mapError] : rows)
     table.push_back({id, shortNumber(m.rmse), shortNumber(m.mae), shortNumber(m.bleeding),
                      shortNumber(m.darkening), shortNumber(m.max), shortNumber(m.min),
                      shortNumber(m.umbraBleeding)});

@@ -80,8 +80,9 @@ Json curvesToJson(const Probe& probe, int samples) {
   return object;
 }
 
-Json decompositionToJson(const ErrorSums& sums) {
-  Json object = {{"error", sums.error}};
+Json decompositionToJson(const ErrorSums& sums, const std::optional<double>& mapError) {
+  Json object = {{"error", sums.error + mapError.value_or(0.0)}};
+  if (mapError) object["map"] = *mapError;
   for (int i = 0; i < errorPartCount; ++i)
     object[std::string(nameOf(ErrorPart(i)))] = sums.means[i];
   return object;
@@ -129,7 +130,7 @@ void addRayTraced(Json& object, double visibility, bool replaces) {
 
 Json compareToJson(const std::vector<MetricsRow>& rows, std::string_view reference) {
   Json techniques = Json::array();
-  for (const auto& [id, metrics, reduction, decomposition, surfaces] : rows) {
+  for (const auto& [id, metrics, reduction, decomposition, surfaces, mapError] : rows) {
     Json row = {{"name", id},
                 {"rmse", metrics.rmse},
                 {"mae", metrics.mae},
@@ -143,7 +144,7 @@ Json compareToJson(const std::vector<MetricsRow>& rows, std::string_view referen
                                   {"darkening", reduction->meanDarkening},
                                   {"maxDarkening", reduction->darkening},
                                   {"removesAll", reduction->removesAll}};
-    if (decomposition) row["decomposition"] = decompositionToJson(*decomposition);
+    if (decomposition) row["decomposition"] = decompositionToJson(*decomposition, mapError);
     if (surfaces) row["surfaces"] = surfacesToJson(*surfaces);
     techniques.push_back(row);
   }

@@ -49,9 +49,12 @@ struct MetricsRow {
   std::optional<BleedReduction> reduction;  // of techniques that have the parameter
   std::optional<ErrorSums> decomposition;   // of the mean signed error, where asked for
   std::optional<SurfaceSummary> surfaces;   // where asked for
+  // Beside the parts of a decomposition against rays: the mean error of the map itself.
+  std::optional<double> mapError;
 };
 // "umbrascope-compare/1". The darkening of a smallest reduction is a mean, as that of the metrics.
-// The parts of a decomposition are means over all samples and add up to its "error".
+// The parts of a decomposition are means over all samples and add up to its "error"; against rays
+// "map" is one of them.
 // "reference" names the truth: "pcf" or "raytraced".
 Json compareToJson(const std::vector<MetricsRow>& rows, std::string_view reference = "pcf");
 

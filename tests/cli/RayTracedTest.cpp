@@ -49,6 +49,51 @@ TEST(RayTraced, ProbeTellsTheFiltersErrorFromTheMaps) {
   }
 }
 
+// The same parts as against percentage-closer filtering, and the map's own error beside them.
+TEST(RayTraced, TheErrorIsTakenApartWithTheMapsOwn) {
+  const Json plain = run(comparePcf("128", {"--decompose"})).json();
+  const Json report = run(comparePcf("128", {"--decompose", "--reference", "raytraced"})).json();
+  ASSERT_EQ(report["samples"], plain["samples"]);
+  const double map = report["techniques"][0]["decomposition"]["map"];
+  EXPECT_NE(map, 0.0);
+  for (int i = 0; i < 2; ++i) {
+    const Json &row = report["techniques"][i], &found = row["decomposition"];
+    EXPECT_EQ(found["map"], map) << "it is the map's, whatever the technique";
+    double sum = 0.0;
+    for (const auto& [name, value] : found.items()) {
+      if (name == "error") continue;
+      sum += value.get<double>();
+      if (name == "map") continue;
+      EXPECT_EQ(value, plain["techniques"][i]["decomposition"][name]) << name;
+    }
+    // Means of 20 000 doubles of magnitude up to 1, added in two orders.
+    EXPECT_NEAR(sum, found["error"], 1e-12);
+    EXPECT_NEAR(found["error"], row["bleeding"].get<double>() - row["darkening"].get<double>(),
+                1e-12);
+    EXPECT_FALSE(plain["techniques"][i]["decomposition"].contains("map"));
+  }
+  const Outcome text =
+      run({"compare", "--scene", "tree-bench", "--technique", "vsm", "--size", "64x48",
+           "--map-size", "64", "--decompose", "--reference", "raytraced"});
+  EXPECT_NE(text.out.find("MAP"), std::string::npos) << text.out;
+}
+
+// Exact percentage-closer filtering has no error against itself, and the map's against rays.
+TEST(RayTraced, SurfacesAreComparedWithIt) {
+  const Json plain = run(comparePcf("128", {"--surfaces", "vtp"})).json();
+  const Json report =
+      run(comparePcf("128", {"--surfaces", "vtp", "--reference", "raytraced"})).json();
+  const Json &pcf = plain["techniques"][0]["surfaces"],
+             &traced = report["techniques"][0]["surfaces"];
+  EXPECT_EQ(pcf["meanBleeding"], 0.0);
+  EXPECT_GT(traced["meanBleeding"], 0.0);
+  EXPECT_EQ(pcf["area"], traced["area"]);
+  EXPECT_NE(pcf["shadowedArea"], traced["shadowedArea"]);
+  // Of edges within a texel: both see the same shadows.
+  EXPECT_NEAR(pcf["shadowedArea"].get<double>(), traced["shadowedArea"].get<double>(),
+              0.2 * pcf["shadowedArea"].get<double>());
+}
+
 TEST(RayTraced, RefusesWhatHasNoRays) {
   const TemporaryFolder folder;
   const std::string map = folder.file("map.exr");
@@ -57,9 +102,6 @@ TEST(RayTraced, RefusesWhatHasNoRays) {
       run({"compare", "--json", "--depth", map, "--receiver", "0.5", "--reference", "raytraced"});
   EXPECT_EQ(depth.status, 2);
   EXPECT_NE(depth.err.find("--reference"), std::string::npos) << depth.err;
-  const Outcome parts = run(comparePcf("128", {"--reference", "raytraced", "--decompose"}));
-  EXPECT_EQ(parts.status, 2);
-  EXPECT_NE(parts.err.find("--decompose"), std::string::npos) << parts.err;
   const Outcome word = run(comparePcf("128", {"--reference", "rays"}));
   EXPECT_EQ(word.status, 2);
   EXPECT_NE(word.err.find("raytraced"), std::string::npos) << word.err;

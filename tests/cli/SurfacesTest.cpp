@@ -115,8 +115,6 @@ TEST(Surfaces, WhatCannotBeIsRefused) {
   expectRefusal(compare({"--surfaces", "vtp", "--filter", "anisotropic"}), "take bilinear");
   expectRefusal(compare({"--surfaces", "vtp", "--filter", "sat", "--technique", "vsm"}),
                 "sat-size footprint");
-  expectRefusal(compare({"--surfaces", "vtp", "--reference", "raytraced"}),
-                "--surfaces: are compared with pcf");
   expectRefusal(
       {"compare", "--depth", folder.file("m.exr"), "--receiver", "0.5", "--surfaces", "vtp"},
       "--surfaces: a depth map has none");
