@@ -130,17 +130,12 @@ void RenderCommand::renderPicture(const Session& session) const {
   const std::vector<Drawing> chosen = drawings(session);
   const auto scene = std::make_shared<const Scene>(loadScene(session.source));
   const std::unique_ptr<Display> display = loadDisplay();
-  std::unique_ptr<HeadlessFrame> frame;
-  FrameSettings settings;  // of `frame`
+  const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
   std::vector<LabelledPicture> pictures;
   for (const Drawing& drawing : chosen) {
     throwIfCancelled();
-    if (!frame || !(drawing.session.frame == settings)) {
-      frame.reset();
-      frame = display->makeFrame(scene, drawing.session);
-      settings = drawing.session.frame;
-    }
-    frame->render(*drawing.technique, settings.view);
+    frame->show(scene, drawing.session);
+    frame->render(*drawing.technique, drawing.session.frame.view);
     pictures.push_back({drawing.label, frame->colour()});
   }
   if (compares(session) && session.comparison.mode == ComparisonMode::Wipe) {

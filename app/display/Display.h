@@ -15,11 +15,14 @@
 
 namespace umbra {
 
-// One scene in one headless OpenGL context.
+// Frames in one headless OpenGL context, one after the other.
 class HeadlessFrame {
  public:
   virtual ~HeadlessFrame() = default;
 
+  // Frames from now on show this scene with that session's light, camera, frame settings and size.
+  // Only what this changes is drawn anew.
+  virtual void show(std::shared_ptr<const Scene> scene, const Session& session) = 0;
   // Draws with this technique. Throws WorkFailed with the errors of OpenGL or VTK.
   virtual void render(const Technique& technique, ViewMode view) = 0;
   // These read back the last frame, as in ShadowRenderer.
@@ -48,8 +51,7 @@ class Display {
   // Returns the exit status of the window. Needs an X or Wayland display.
   virtual int runWindow(int& argc, char** argv, const Session& session) = 0;
 
-  // A frame that draws `scene` with the session's light, camera, frame settings and size. Throws
-  // NoOpenGL.
+  // A new context that shows `scene` as the session sees it. Throws NoOpenGL.
   virtual std::unique_ptr<HeadlessFrame> makeFrame(std::shared_ptr<const Scene> scene,
                                                    const Session& session) = 0;
 

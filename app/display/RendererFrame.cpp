@@ -11,11 +11,20 @@ RendererFrame::RendererFrame(std::shared_ptr<const Scene> scene, const Session& 
                              vtkSmartPointer<VtkMessages> messages)
     : messages_(messages),
       window_(makeHeadlessWindow(session.width, session.height)),
-      renderer_(*window_),
-      settings_(session.frame) {
-  renderer_.setScene(scene);
-  renderer_.setLight(session.light.value_or(scene->light));
-  renderer_.setCamera(session.camera.value_or(scene->camera));
+      renderer_(*window_) {
+  show(std::move(scene), session);
+}
+
+void RendererFrame::show(std::shared_ptr<const Scene> scene, const Session& session) {
+  const int* size = window_->GetSize();
+  if (size[0] != session.width || size[1] != session.height)
+    window_->SetSize(session.width, session.height);
+  if (scene != scene_) renderer_.setScene(scene);
+  scene_ = std::move(scene);
+  renderer_.setLight(session.light.value_or(scene_->light));
+  renderer_.setCamera(session.camera.value_or(scene_->camera));
+  saidSamples_ = saidSamples_ && session.frame.map.samples == settings_.map.samples;
+  settings_ = session.frame;
 }
 
 void RendererFrame::render(const Technique& technique, ViewMode view) {

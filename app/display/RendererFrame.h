@@ -15,6 +15,7 @@ class RendererFrame final : public HeadlessFrame {
   RendererFrame(std::shared_ptr<const Scene> scene, const Session& session,
                 vtkSmartPointer<VtkMessages> messages);
 
+  void show(std::shared_ptr<const Scene> scene, const Session& session) override;
   void render(const Technique& technique, ViewMode view) override;
   Image<std::uint8_t> colour() override;
   SurfaceImage surfaces() override;
@@ -36,6 +37,7 @@ class RendererFrame final : public HeadlessFrame {
   vtkSmartPointer<VtkMessages> messages_;
   vtkSmartPointer<vtkRenderWindow> window_;
   ShadowRenderer renderer_;
+  std::shared_ptr<const Scene> scene_;
   FrameSettings settings_;
   bool saidSamples_ = false;  // whether the log says that the driver gives fewer samples
 };

@@ -35,11 +35,35 @@ Metrics metricsOf(HeadlessFrame& frame, const Technique& technique) {
   return sum.result();
 }
 
-StepResult measure(Display& display, const Lesson& lesson, std::size_t step) {
+// The scene of the last step on one context: steps that look at the same scene do not load it
+// again.
+class Stage {
+ public:
+  explicit Stage(Display& display) : display_(display) {}
+
+  HeadlessFrame& show(const Session& session) {
+    if (!scene_ || !(source_ == session.source)) {
+      scene_ = std::make_shared<const Scene>(loadScene(session.source));
+      source_ = session.source;
+    }
+    if (frame_)
+      frame_->show(scene_, session);
+    else
+      frame_ = display_.makeFrame(scene_, session);
+    return *frame_;
+  }
+
+ private:
+  Display& display_;
+  SceneSource source_;
+  std::shared_ptr<const Scene> scene_;
+  std::unique_ptr<HeadlessFrame> frame_;
+};
+
+StepResult measure(Stage& stage, const Lesson& lesson, std::size_t step) {
   const Session& session = lesson.steps[step].session;
   const TechniqueCatalogue catalogue = allTechniques();
-  const auto scene = std::make_shared<const Scene>(loadScene(session.source));
-  const std::unique_ptr<HeadlessFrame> frame = display.makeFrame(scene, session);
+  HeadlessFrame* frame = &stage.show(session);
   std::vector<std::shared_ptr<Technique>> techniques;
   for (const std::string& id : techniquesOf(lesson, step))
     techniques.push_back(techniqueOf(session, catalogue, id));
@@ -59,10 +83,11 @@ StepResult measure(Display& display, const Lesson& lesson, std::size_t step) {
 
 std::vector<StepResult> measureSteps(Display& display, const Lesson& lesson) {
   std::vector<StepResult> results;
+  Stage stage(display);
   for (std::size_t step = 0; step < lesson.steps.size(); ++step) {
     throwIfCancelled();
     try {
-      results.push_back(measure(display, lesson, step));
+      results.push_back(measure(stage, lesson, step));
     } catch (const Error& error) {
       // What is wrong is in the lesson, not among the options of this command.
       const bool input =
