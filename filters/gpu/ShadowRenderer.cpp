@@ -244,6 +244,10 @@ const std::vector<Cascade>& ShadowRenderer::cascades() const {
   return implementation_->pass->GetCascades();
 }
 
+Baked ShadowRenderer::baked() const {
+  return implementation_->pass->GetBaked();
+}
+
 int ShadowRenderer::samples() const {
   return implementation_->pass->GetBaker().samples();
 }

@@ -18,6 +18,7 @@
 #include "filters/core/settings/FrameSettings.h"
 #include "filters/core/technique/Technique.h"
 #include "filters/gpu/BakeStage.h"
+#include "filters/gpu/Baked.h"
 #include "filters/gpu/SplitPace.h"
 
 class vtkRenderer;
@@ -58,6 +59,8 @@ class ShadowRenderer {
   // The cascades of the last frame: the whole light's frame alone, or one for each part of the
   // view.
   const std::vector<Cascade>& cascades() const;
+  // What the last frame was baked into: equal while maps and channels are the same.
+  Baked baked() const;
   // Samples a texel in the last bake; the driver may give fewer than were asked for.
   int samples() const;
 

@@ -89,12 +89,19 @@ void vtkUmbraFramePass::SetLightFrame(const LightFrame& frame, const Eigen::Alig
 }
 
 void vtkUmbraFramePass::SetSettings(const FrameSettings& settings) {
-  const FrameSettings old = std::exchange(this->Settings, settings);
-  if (old.map.size != settings.map.size || old.map.samples != settings.map.samples ||
-      old.bias.cullFrontFaces != settings.bias.cullFrontFaces)
-    this->MakeStale(Stage::Depth);
-  if (old.map.format != settings.map.format) this->MakeStale(Stage::Encode);
-  if (blurOf(old) != blurOf(settings)) this->MakeStale(Stage::Prefilter);
+  this->MakeStale(FirstStale(this->Settings, settings));
+  this->Settings = settings;
+}
+
+// What else the bake depends on, the cascades' windows, shows when they have been fitted.
+vtkUmbraFramePass::Stage vtkUmbraFramePass::FirstStale(const FrameSettings& before,
+                                                       const FrameSettings& after) {
+  if (before.map.size != after.map.size || before.map.samples != after.map.samples ||
+      before.bias.cullFrontFaces != after.bias.cullFrontFaces)
+    return Stage::Depth;
+  if (before.map.format != after.map.format) return Stage::Encode;
+  if (blurOf(before) != blurOf(after)) return Stage::Prefilter;
+  return Stage::Nothing;
 }
 
 void vtkUmbraFramePass::SetTechnique(const Technique& technique) {
@@ -112,10 +119,6 @@ void vtkUmbraFramePass::Render(const vtkRenderState* state) {
     // VTK's frames on the stack expect no exception.
     this->Error = std::current_exception();
   }
-}
-
-void vtkUmbraFramePass::RethrowError() {
-  if (this->Error) std::rethrow_exception(std::exchange(this->Error, nullptr));
 }
 
 void vtkUmbraFramePass::DrawFrame(const vtkRenderState* state) {
@@ -211,6 +214,7 @@ void vtkUmbraFramePass::Bake(const vtkRenderState* state) {
     this->Baker.encode(*this->Adapted, this->Settings.map.format);
   }
   if (this->Stale <= Stage::Prefilter) {
+    this->Made.channels = std::make_shared<int>();
     const gl::PassTimer::Scope time(this->Timer, "prefilter");
     this->Baker.prefilter(blurOf(this->Settings));
   }
@@ -226,10 +230,6 @@ void vtkUmbraFramePass::RelaxSplits() {
   const int count = this->Asked->adaptedSplitCount();
   if (this->Relaxer.advance(this->Baker.depthMap(), count, this->Pace))
     this->MakeStale(Stage::Encode);
-}
-
-bool vtkUmbraFramePass::SplitsMoving() const {
-  return this->Asked && this->Asked->adaptedSplitCount() > 0 && this->Relaxer.moving();
 }
 
 std::vector<double> vtkUmbraFramePass::GetAdaptedSplits() const {
@@ -254,6 +254,8 @@ void vtkUmbraFramePass::BakeDepth(const vtkRenderState* state) {
   if (stale.empty()) return;
   const gl::PassTimer::Scope time(this->Timer, "depth");
   this->Drawn.resize(count);
+  this->Made.maps = std::make_shared<int>();
+  if (stale.front() == 0) this->Made.firstMap = std::make_shared<int>();
   for (std::size_t i : stale) this->DrawDepth(state, i);
   this->MakeStale(Stage::Encode);
 }

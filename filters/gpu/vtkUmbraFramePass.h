@@ -9,11 +9,13 @@
 #include <memory>
 #include <optional>
 #include <unordered_set>
+#include <utility>
 
 #include "filters/core/maps/Cascades.h"
 #include "filters/core/scene/Light.h"
 #include "filters/core/settings/FrameSettings.h"
 #include "filters/core/technique/Technique.h"
+#include "filters/gpu/Baked.h"
 #include "filters/gpu/ChannelBaker.h"
 #include "filters/gpu/SplitRelaxer.h"
 #include "filters/gpu/gl/PassTimer.h"
@@ -42,17 +44,23 @@ class vtkUmbraFramePass : public vtkRenderPass {
   // Sets how splits that follow the map come to rest. The default is Converged.
   void SetSplitPace(SplitPace pace) { this->Pace = pace; }
   // Whether another frame would move splits.
-  bool SplitsMoving() const;
+  bool SplitsMoving() const {
+    return this->Asked && this->Asked->adaptedSplitCount() > 0 && this->Relaxer.moving();
+  }
   // The last frame's splits, ascending; empty where the technique's do not follow the map.
   std::vector<double> GetAdaptedSplits() const;
 
   // It never throws: an error ends the frame and waits for RethrowError.
   void Render(const vtkRenderState* state) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
-  void RethrowError();
+  void RethrowError() {
+    if (this->Error) std::rethrow_exception(std::exchange(this->Error, nullptr));
+  }
 
   ChannelBaker& GetBaker() { return this->Baker; }
   const vtkUmbraShadingPass& GetShading() const { return *this->Shading; }
+  // As the last frame left it.
+  const Baked& GetBaked() const { return this->Made; }
   const gl::PassTimer& GetTimer() const { return this->Timer; }
   const LightFrame& GetLightFrame() const { return this->Frame; }
   // Whether a frame was drawn whose maps and pictures still exist.
@@ -77,6 +85,8 @@ class vtkUmbraFramePass : public vtkRenderPass {
  private:
   // The stage that has to be done again, with every stage after it.
   enum class Stage { Depth, Encode, Prefilter, Nothing };
+  // The first stage of the bake that one of the settings differs in.
+  static Stage FirstStale(const FrameSettings& before, const FrameSettings& after);
   void MakeStale(Stage stage) { this->Stale = std::min(this->Stale, stage); }
 
   void DrawFrame(const vtkRenderState* state);
@@ -112,6 +122,7 @@ class vtkUmbraFramePass : public vtkRenderPass {
   std::unique_ptr<Technique> Asked;    // as it was set
   std::unique_ptr<Technique> Adapted;  // to the depth map and the format
   Stage Stale = Stage::Depth;
+  Baked Made;
   // One for each cascade, once it has been asked for in this bake.
   std::vector<std::shared_ptr<const DepthMap>> DepthValues;
   bool FrameDrawn = false;

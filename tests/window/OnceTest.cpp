@@ -56,6 +56,25 @@ TechniqueCatalogue countedTechniques(Counts& counts) {
 }  // namespace
 
 // Each report is of one probe, which evaluates every technique once.
+void WindowTest::aClickProbesOnce() {
+  MainWindow& window = open();
+  const QSize size = window.view().pixels();
+  QSignalSpy reported(&window.prober(), &Prober::reported);
+  click({size.width() / 2, size.height() * 3 / 4});
+  QCOMPARE(reported.count(), 1);
+  QVERIFY(window.prober().report()->pixel == (Pixel{size.width() / 2, size.height() * 3 / 4}));
+  // The same place again says nothing new; another one does.
+  click({size.width() / 2, size.height() * 3 / 4});
+  QCOMPARE(reported.count(), 1);
+  click({size.width() / 4, size.height() * 3 / 4});
+  QCOMPARE(reported.count(), 2);
+  // Whoever asks for what is known gets it.
+  window.prober().refresh();
+  QCOMPARE(reported.count(), 2);
+  window.prober().unpin();
+  QCOMPARE(reported.count(), 3);
+}
+
 void WindowTest::aTexelIsProbedOnce() {
   const std::string file = folder_.filePath("once.exr").toStdString();
   Image<float> depths(16, 16, 1, 0.75F);

@@ -28,6 +28,7 @@ class WindowTest : public QObject {
   void hoveringProbesAndLeavingKeepsTheProbe();
   void aPinnedProbeStaysOnItsPoint();
   void aHiddenProbeFollowsTheParameters();
+  void aClickProbesOnce();
   void aTexelIsProbedOnce();
   void anEditMakesEachTechniqueOnce();
   void keptProbesStayOnTheirPoints();

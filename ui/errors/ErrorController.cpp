@@ -88,7 +88,7 @@ QString ErrorController::obstacle() const {
 std::optional<ErrorController::FrameKey> ErrorController::presentKey() const {
   const ShadowRenderer* frame = std::as_const(view_).lastFrame();
   if (!frame || !controller_.document().content.scene) return std::nullopt;
-  FrameKey key{view_.channelsRevision(), frame->camera(), view_.pixels(),
+  FrameKey key{frame->baked().channels, frame->camera(), view_.pixels(),
                controller_.session().frame};
   key.settings.view = ViewMode::Shaded;  // it shows the same errors
   return key;

@@ -72,7 +72,7 @@ class ErrorController : public QObject {
  private:
   // Frames with equal keys have equal errors.
   struct FrameKey {
-    int channels = -1;
+    std::shared_ptr<const void> channels;  // Baked::channels
     Camera camera;
     QSize size;
     FrameSettings settings;

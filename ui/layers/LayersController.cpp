@@ -103,7 +103,7 @@ std::vector<double> LayersController::splits() const {
 void LayersController::sessionChanged(const Document& before, const Document& after) {
   if (!(before.content == after.content)) {
     occluders_.reset();
-    key_.clear();
+    known_.reset();
   }
   if (!placing_) setPlaying(false);
   if (!watched_) return;
@@ -112,16 +112,15 @@ void LayersController::sessionChanged(const Document& before, const Document& af
   emit changed();
 }
 
-// A map's name: of equal ones the occluders are equal. Empty where there is no map yet.
-QString LayersController::mapKey() const {
-  if (const DepthMap* depth = controller_.document().content.depth.get())
-    return QString("file %1").arg(quintptr(depth));
-  return view_.lastFrame() ? QString("map %1").arg(view_.firstMapRevision()) : QString();
+// Of equal ones the occluders are equal. Null where there is no map yet.
+std::shared_ptr<const void> LayersController::presentMap() const {
+  if (const auto& depth = controller_.document().content.depth) return depth;
+  return view_.lastFrame() ? view_.baked().firstMap : nullptr;
 }
 
 void LayersController::refresh() {
   if (!watched_ || !layered()) return;
-  if (mapKey() != key_) still_.start();
+  if (presentMap() != known_) still_.start();
   if (splits() == shownSplits_) return;
   followSplits();
   emit changed();
@@ -136,7 +135,7 @@ void LayersController::lookForOccluders() {
       view_.makeCurrent();
       map = std::make_shared<const DepthMap>(view_.lastFrame()->depthMap());
     }
-    asked_ = mapKey();
+    asked_ = presentMap();
     searching_ = true;
     thread_ = std::jthread([this, map] {
       try {
@@ -162,8 +161,8 @@ void LayersController::lookForOccluders() {
 
 void LayersController::found(const Occluders& occluders) {
   searching_ = false;
-  if (mapKey() != asked_) return refresh();
-  key_ = asked_;
+  if (presentMap() != asked_) return refresh();
+  known_ = asked_;
   occluders_ = occluders;
   run_.reset();
   relaxed_.clear();

@@ -71,7 +71,7 @@ class LayersController : public QObject {
   void refresh();
   void lookForOccluders();
   void found(const Occluders& occluders);
-  QString mapKey() const;
+  std::shared_ptr<const void> presentMap() const;
   std::vector<double> splits() const;
   void followSplits();
   void relaxDepthFile();
@@ -81,7 +81,8 @@ class LayersController : public QObject {
   SessionController& controller_;
   SceneView& view_;
   bool watched_ = false, searching_ = false, placing_ = false, canStep_ = false;
-  QString key_, asked_;  // of the map whose occluders are there, and are being looked for
+  // The map whose occluders are there, and are being looked for; only to be compared.
+  std::shared_ptr<const void> known_, asked_;
   std::optional<Occluders> occluders_;
   std::optional<LloydRun> run_;
   std::size_t shown_ = 0, reached_ = 0;

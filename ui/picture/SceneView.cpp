@@ -85,24 +85,13 @@ void SceneView::showDocument(const Document& document, const Technique& techniqu
   const auto lightOf = [](const Document& d) {
     return d.session.light.value_or(d.content.scene->light);
   };
-  const FrameSettings& old = shown_.session.frame;
-  const bool newMap = newScene || !(lightOf(document) == lightOf(shown_)) ||
-                      session.frame.map.size != old.map.size ||
-                      session.frame.bias.cullFrontFaces != old.bias.cullFrontFaces;
+  const bool newLight = newScene || !(lightOf(document) == lightOf(shown_));
   const bool newTechnique = !technique_ || !sameSettings(technique, *technique_);
-  const auto summed = [](const FrameSettings& frame) {
-    return frame.read.filter == ReadFilter::SummedArea;  // of channels that no kernel has blurred
-  };
-  const bool newChannels = newMap || newTechnique || !(session.frame.kernel == old.kernel) ||
-                           session.frame.map.format != old.map.format ||
-                           summed(session.frame) != summed(old);
-  newMap_ = newMap_ || newMap;
-  newChannels_ = newChannels_ || newChannels;
 
   if (isValid()) makeCurrent();
   const Camera camera = session.camera.value_or(scene->camera);
   if (newScene) shadow_->setScene(scene);
-  if (newMap) shadow_->setLight(lightOf(document));
+  if (newLight) shadow_->setLight(lightOf(document));
   const bool newCamera = newScene || differ(camera, shadow_->camera());
   if (newCamera) shadow_->setCamera(camera);
   shadow_->setFrame(session.frame);
@@ -111,7 +100,8 @@ void SceneView::showDocument(const Document& document, const Technique& techniqu
     technique_ = technique.clone();
   }
   // What the picture does not show, such as the probe, costs no frame.
-  stale_ = stale_ || newChannels || newCamera || !(session.frame == shown_.session.frame);
+  stale_ =
+      stale_ || newLight || newTechnique || newCamera || !(session.frame == shown_.session.frame);
   shown_ = document;
   contents_.light = lightOf(document);
   refreshOverlay();
@@ -239,10 +229,6 @@ void SceneView::drawFrame() {
     shadow_->render();
     drawn_ = true;
     drawnScene_ = shown_.content.scene.get();
-    noteMaps();
-    const std::vector<double> splits = shadow_->adaptedSplits();
-    channelsRevision_ += splits != splits_;
-    splits_ = splits;
     // What listens may read back and change widgets: not while Qt paints.
     QMetaObject::invokeMethod(this, &SceneView::finishFrame, Qt::QueuedConnection);
   } catch (const std::exception& problem) {
@@ -251,22 +237,6 @@ void SceneView::drawFrame() {
     QMetaObject::invokeMethod(
         this, [this, message] { emit failed(message); }, Qt::QueuedConnection);
   }
-}
-
-// Until the next frame is drawn, the last one's maps are what can be read. Samples are what the
-// driver gave, and cascades follow the camera: both are known then.
-void SceneView::noteMaps() {
-  std::vector<double> maps{double(shadow_->samples())};
-  for (const Cascade& cascade : shadow_->cascades())
-    maps.insert(maps.end(), {cascade.left, cascade.top, cascade.side});
-  const bool newFirst =
-      maps_.size() < 4 || !std::equal(maps.begin(), maps.begin() + 4, maps_.begin());
-  const bool newMaps = newMap_ || maps != maps_;
-  mapRevision_ += newMaps;
-  firstMapRevision_ += newMap_ || newFirst;
-  channelsRevision_ += newMaps || newChannels_;
-  newMap_ = newChannels_ = false;
-  maps_ = std::move(maps);
 }
 
 void SceneView::finishFrame() {

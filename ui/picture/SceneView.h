@@ -57,11 +57,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   std::pair<SurfaceImage, Image<float>> measure(const Technique& technique);
   // The surface around a pixel, as a plane.
   std::optional<Plane> surfacePlane(const Pixel& pixel, const SurfacePoint& centre);
-  // Of the last frame: equal numbers mean equal depth maps, and equal channels.
-  int mapRevision() const { return mapRevision_; }
-  // The same of the first cascade's map, which techniques adapt to.
-  int firstMapRevision() const { return firstMapRevision_; }
-  int channelsRevision() const { return channelsRevision_; }
+  Baked baked() const { return shadow_->baked(); }  // of the last frame
   // What was asked for last is not drawn yet: a frame will follow, if it can be drawn.
   bool stale() const { return stale_; }
   // Whether the last frame shows all that was asked for, with splits at rest.
@@ -84,7 +80,6 @@ class SceneView : public QVTKOpenGLNativeWidget {
  private:
   void prepareInteraction();
   void drawFrame();
-  void noteMaps();
   void finishFrame();
   void refreshOverlay();
   bool mouseEvent(QMouseEvent* event);
@@ -99,10 +94,6 @@ class SceneView : public QVTKOpenGLNativeWidget {
   std::optional<QPointF> pressed_, lightGrip_;
   const Scene* drawnScene_ = nullptr;  // by the last frame; only to be compared
   bool stale_ = true, drawn_ = false, painting_ = false;
-  bool newMap_ = true, newChannels_ = true;  // what the next frame bakes anew
-  int mapRevision_ = 0, firstMapRevision_ = 0, channelsRevision_ = 0;
-  std::vector<double> maps_;    // of the last frame: samples, then each cascade's window
-  std::vector<double> splits_;  // of the last frame
   std::unique_ptr<Technique> technique_;
 };
 

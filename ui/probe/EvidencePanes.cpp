@@ -156,23 +156,21 @@ void EvidencePanes::showChannel() {
     const Content& content = controller_.document().content;
     ShadowRenderer* frame = view_.lastFrame();
     if (content.depth) {
-      const QString key = QString("file %1").arg(quintptr(content.depth.get()));
-      if (key != shownMap_) map_->setImage(*content.depth);
-      shownMap_ = key;
+      if (shownMap_ != content.depth) map_->setImage(*content.depth);
+      shownMap_ = content.depth;
     } else if (!frame) {
       map_->clear();
-      shownMap_.clear();
+      shownMap_.reset();
     } else {
       const int index = channelNames().indexOf(channel);
       const bool depth = index <= 0;
       const auto& report = prober_.report();
       const int last = int(frame->cascades().size()) - 1;
       shownCascade_ = report ? std::min(report->cascade, last) : 0;
-      const QString key = QString("%1 %2 %3")
-                              .arg(channel)
-                              .arg(depth ? view_.mapRevision() : view_.channelsRevision())
-                              .arg(shownCascade_);
-      if (key == shownMap_) return;
+      const QString key = QString("%1 %2").arg(channel).arg(shownCascade_);
+      const Baked baked = frame->baked();
+      const auto& map = depth ? baked.maps : baked.channels;
+      if (map == shownMap_ && key == shownChannel_) return;
       const int count = int(controller_.technique().channels().size());
       const bool filtered = controller_.technique().info().prefilterable && index <= count;
       if (depth)
@@ -181,7 +179,8 @@ void EvidencePanes::showChannel() {
         map_->setImage(
             frame->channels(filtered ? BakeStage::Prefiltered : BakeStage::Encoded, shownCascade_),
             (index - 1) % count);
-      shownMap_ = key;
+      shownMap_ = map;
+      shownChannel_ = key;
     }
   } catch (const std::exception& problem) {
     emit failed(QString::fromUtf8(problem.what()));

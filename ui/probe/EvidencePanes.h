@@ -71,7 +71,9 @@ class EvidencePanes : public QObject {
   PlotPane* lastPlot_;
   ProbeTable* table_;
   TracePane* trace_;
-  QString shownMap_;  // says which map and channel are shown, to read back only what changed
+  // Which channel of which map is shown, to read back only what changed.
+  QString shownChannel_;
+  std::shared_ptr<const void> shownMap_;
   int shownCascade_ = 0;
   bool regionShown_ = false;
   Kernel shownKernel_;

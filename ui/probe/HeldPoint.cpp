@@ -36,7 +36,7 @@ HeldPoint::HeldPoint(const SurfacePlace& place, const SceneView& view, const Doc
 void HeldPoint::remember(const SurfacePlace& place, const SceneView& view,
                          const Document& document) {
   lastShown_ = place;
-  map_ = view.mapRevision();
+  maps_ = view.baked().maps;
   frame_ = readsOf(document.session.frame);
 }
 
@@ -55,7 +55,7 @@ std::string HeldPoint::objectName(const Document& document) {
 }
 
 bool HeldPoint::remembers(const SceneView& view, const Document& document) const {
-  return lastShown_ && map_ == view.mapRevision() && frame_ == readsOf(document.session.frame);
+  return lastShown_ && maps_ == view.baked().maps && frame_ == readsOf(document.session.frame);
 }
 
 std::variant<SurfacePlace, NotRead> HeldPoint::find(SceneView& view, const Document& document) {

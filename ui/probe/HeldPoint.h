@@ -52,7 +52,7 @@ class HeldPoint {
   std::optional<SurfaceSpot> spot_;
   // As it was last shown, and what its read depended on beside the camera.
   std::optional<SurfacePlace> lastShown_;
-  int map_ = 0;
+  std::shared_ptr<const void> maps_;  // Baked::maps
   FrameSettings frame_;
 };
 

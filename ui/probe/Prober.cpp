@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <exception>
+#include <utility>
 
 #include "analysis/errors/WorstPixel.h"
 #include "ui/picture/SceneView.h"
@@ -24,10 +25,10 @@ Pixel scaledPixel(const Pixel& pixel, const Session& session, const QSize& to) {
 
 Prober::Prober(SessionController& controller, SceneView& view, QObject* parent)
     : QObject(parent), controller_(controller), view_(view), taker_(controller, view) {
-  connect(&view_, &SceneView::frameDrawn, this, &Prober::probeNewFrame);
+  connect(&view_, &SceneView::frameDrawn, this, &Prober::refresh);
   connect(&view_, &SceneView::hovered, this, &Prober::hover);
   connect(&view_, &SceneView::clicked, this, &Prober::pin);
-  connect(&view_, &SceneView::failed, this, &Prober::probeNewFrame);
+  connect(&view_, &SceneView::failed, this, &Prober::refresh);
   connect(&controller_, &SessionController::changed, this, &Prober::sessionChanged);
 }
 
@@ -149,11 +150,6 @@ void Prober::settlePixel() {
     controller_.amend([&](Session& session) { place(session, *pixel); });
 }
 
-void Prober::probeNewFrame() {
-  answered_.reset();
-  refresh();
-}
-
 Prober::Question Prober::question() const {
   const Document& document = controller_.document();
   const Session& session = document.session;
@@ -168,6 +164,12 @@ Prober::Question Prober::question() const {
                     session.receiver};
   if (!session.probe) question.hovered = hover_;
   if (held_) question.held = held_->point();
+  const ShadowRenderer* frame = std::as_const(view_).lastFrame();
+  if (!frame || !document.content.scene) return question;
+  question.drawn = true;
+  question.baked = frame->baked();
+  question.camera = frame->camera();
+  question.pixels = view_.pixels();
   return question;
 }
 

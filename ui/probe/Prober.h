@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <QSize>
 #include <optional>
 
 #include "datasets/session/LoadSource.h"
@@ -60,7 +61,7 @@ class Prober : public QObject {
   void failed(const QString& message);
 
  private:
-  // What a probe depends on beside the frame, of which each is probed.
+  // What a probe depends on. Two frames of one bake, seen alike, give the same probe.
   struct Question {
     Content content;
     FrameSettings frame;
@@ -70,11 +71,14 @@ class Prober : public QObject {
     std::optional<Eigen::Vector3d> held;
     std::string kept;
     std::optional<double> receiver;
+    bool drawn = false;  // whether there is a frame; it was drawn from here
+    Baked baked;
+    Camera camera;
+    QSize pixels;
 
     bool operator==(const Question&) const = default;
   };
 
-  void probeNewFrame();
   void showAgain();
   Question question() const;
   std::optional<Pixel> findWorstBleeding();
@@ -89,7 +93,7 @@ class Prober : public QObject {
   QString veil_;
   std::optional<Pixel> hover_;
   std::optional<HeldPoint> held_;     // once the frame has told it; of a hover the last place
-  std::optional<Question> answered_;  // by report_, in the last frame
+  std::optional<Question> answered_;  // by report_
   ProbeTaker taker_;
 };
 

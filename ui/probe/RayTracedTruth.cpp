@@ -38,7 +38,7 @@ std::optional<RayTracedTruth::Job> RayTracedTruth::jobOf() const {
   const ShadowRenderer* frame = view_.lastFrame();
   if (!applies() || !report || !frame) return std::nullopt;
   return Job{reports_,
-             view_.mapRevision(),
+             frame->baked().maps,
              controller_.document().content.scene,
              frame->cascades(),
              report->request->map.width(),
@@ -63,11 +63,11 @@ void RayTracedTruth::start(Job job) {
   thread_ = std::jthread([this, job = std::move(job)] {
     std::optional<double> visibility;
     try {
-      if (!rays_ || raysOf_ != job.map)
+      if (!rays_ || raysOf_ != job.maps)
         rays_ = std::make_unique<RayTracedVisibility>(*job.scene, job.cascades, job.mapSize,
                                                       job.cullFrontFaces,
                                                       sideOf(job.mapSize, job.cascades.size()));
-      raysOf_ = job.map;
+      raysOf_ = job.maps;
       visibility = (*rays_)(job.region, job.receiver);
     } catch (const std::exception&) {
       rays_.reset();  // the row stays without a figure, as where there is no tracer

@@ -38,8 +38,8 @@ class RayTracedTruth : public QObject {
 
  private:
   struct Job {
-    int number = 0;  // of the report
-    int map = 0;     // SceneView::mapRevision
+    int number = 0;                    // of the report
+    std::shared_ptr<const void> maps;  // Baked::maps
     std::shared_ptr<const Scene> scene;
     std::vector<Cascade> cascades;
     int mapSize = 0;
@@ -62,7 +62,7 @@ class RayTracedTruth : public QObject {
   bool busy_ = false;
   // The thread's alone while it is busy: the rays and the map that they are for.
   std::unique_ptr<RayTracedVisibility> rays_;
-  int raysOf_ = -1;
+  std::shared_ptr<const void> raysOf_;
   std::jthread thread_;  // ends before what it uses
 };
 
