@@ -59,11 +59,16 @@ CentrePane::CentrePane(SessionController& controller, SceneView& view, Prober& p
 
   connect(&controller_, &SessionController::changed, this,
           [this](const Document& before, const Document& after) {
+            if (!(before.content == after.content)) showNotices();
             refresh();
             if (!(before.session.comparison == after.session.comparison)) showReport();
           });
+  connect(&controller_, &SessionController::loadingChanged, this, [this](bool loading) {
+    if (loading) banner_->showProgress(tr("Opening …"));
+  });
   connect(comparison_, &ComparisonPanes::figuresChanged, this, &CentrePane::showReport);
   refresh();
+  showNotices();
 }
 
 QWidget* CentrePane::makeDepthPage() {
@@ -116,6 +121,17 @@ void CentrePane::refresh() {
   const double receiver = document.session.receiver.value_or(0.5);
   receiver_->setValue(int(std::lround(receiver * receiverSteps)));
   receiverText_->setText(QString::number(receiver, 'f', 4));
+}
+
+// What the opened file has and the window does not show.
+void CentrePane::showNotices() {
+  QStringList lines;
+  for (const std::string& notice : controller_.document().content.notices)
+    lines << style::text(notice);
+  if (lines.isEmpty())
+    banner_->dismiss();
+  else
+    banner_->showNotice(lines.join("\n"));
 }
 
 // In a wipe, that of the side on which the probe lies.

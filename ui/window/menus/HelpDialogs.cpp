@@ -1,4 +1,4 @@
-#include "ui/window/HelpDialogs.h"
+#include "ui/window/menus/HelpDialogs.h"
 
 #include <QDialog>
 #include <QDialogButtonBox>

@@ -1,4 +1,4 @@
-#include "ui/window/SceneForm.h"
+#include "ui/window/menus/SceneForm.h"
 
 #include <QFormLayout>
 #include <QHBoxLayout>

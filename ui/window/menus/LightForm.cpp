@@ -1,4 +1,4 @@
-#include "ui/window/LightForm.h"
+#include "ui/window/menus/LightForm.h"
 
 #include <QComboBox>
 #include <QFormLayout>

@@ -1,4 +1,4 @@
-#include "ui/window/DockGrip.h"
+#include "ui/window/docks/DockGrip.h"
 
 #include <QPainter>
 
