@@ -16,7 +16,8 @@ namespace {
 
 constexpr int stillFor = 250;      // ms: a light or camera in the hand draws a frame after another
 constexpr int tickInterval = 100;  // ms
-// Of a picture, at most: some five seconds on one core. A 7 × 7 kernel is far below it.
+// So many taps are read for one picture at most, which takes some five seconds on one core. A 7 × 7
+// kernel needs far fewer.
 constexpr double mostTaps = 3e7;
 
 Image<std::uint8_t> maskOf(const QPolygonF& lasso, int width, int height) {
@@ -30,10 +31,10 @@ Image<std::uint8_t> maskOf(const QPolygonF& lasso, int width, int height) {
 // A frame with maps of its own, for other threads.
 struct ErrorController::Gathered {
   std::vector<DepthMap> maps;
-  DrawnFrame frame;  // refers to `maps`
+  DrawnFrame frame;  // it refers to `maps`
   std::shared_ptr<Technique> technique;
 
-  // What `progress` throws stops it.
+  // Whatever `progress` throws stops the work.
   std::shared_ptr<const Taken> taken(const std::function<void(double)>& progress) const {
     const DecompositionSettings how;
     const int stride =
@@ -118,7 +119,7 @@ void ErrorController::refresh() {
 }
 
 void ErrorController::start() {
-  // A frame that is still to come asks again.
+  // Where a frame is still to come, its arrival asks again.
   if (!watched_ || !obstacle().isEmpty() || current() || !view_.upToDate()) return;
   try {
     computeBeside(gather());
@@ -214,7 +215,8 @@ void ErrorController::setPart(std::optional<ErrorPart> part) {
   emit changed();
 }
 
-// The camera keeps its vertical angle: lengths follow the height, about the middle.
+// The camera keeps its vertical angle, so lengths scale with the height, about the picture's
+// middle.
 QPolygonF ErrorController::lassoIn(const QSize& size) const {
   if (lasso_.isEmpty() || size == lassoSize_) return lasso_;
   const double scale = double(size.height()) / lassoSize_.height();

@@ -112,7 +112,7 @@ void LayersController::sessionChanged(const Document& before, const Document& af
   emit changed();
 }
 
-// A map's name: of equal ones the occluders are equal. Empty where there is no map yet.
+// Names the map: maps with equal keys have equal occluders. Empty where there is no map yet.
 QString LayersController::mapKey() const {
   if (const DepthMap* depth = controller_.document().content.depth.get())
     return QString("file %1").arg(quintptr(depth));
@@ -171,8 +171,8 @@ void LayersController::found(const Occluders& occluders) {
   emit changed();
 }
 
-// Which iteration the session's splits are; undo and redo go to and fro among them. Splits that are
-// none of them begin another run.
+// Finds the iteration that the session's splits are, since undo and redo go to and fro among the
+// iterations. Splits that are none of them begin another run.
 void LayersController::followSplits() {
   relaxDepthFile();
   shownSplits_ = splits();
@@ -213,7 +213,7 @@ void LayersController::place(const QString& text, std::vector<double> splits,
   placing_ = false;
 }
 
-// No frame finds a depth file's splits.
+// A depth file is drawn in no frame that would find its splits.
 void LayersController::relaxDepthFile() {
   if (!controller_.document().content.depth || !layered() || !occluders_) return relaxed_.clear();
   const int count = adaptedSplitCount(layerParametersOf(controller_.technique()));

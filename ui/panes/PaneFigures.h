@@ -19,7 +19,7 @@ struct PaneFigures {
   TechniqueResult result;  // with the pane's own settings
   double reference = 0.0;
   Kernel kernel;
-  // World, the outline of its region on the surface; empty where it is the report's.
+  // World: the outline of the pane's region on the surface; empty where it is the report's.
   std::vector<Eigen::Vector3d> footprint;
 };
 

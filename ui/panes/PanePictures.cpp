@@ -11,7 +11,8 @@ namespace umbra {
 namespace {
 
 constexpr int rest = 120;  // milliseconds without a new frame before the other panes follow
-// Pictures kept: what a person comes back to, such as by undo, is there at once.
+// So many pictures are kept, so that what a person comes back to, such as by undo, is there at
+// once.
 constexpr std::size_t kept = Comparison::most + 2;
 
 }  // namespace
@@ -32,7 +33,7 @@ PanePictures::~PanePictures() = default;
 PictureSubject PanePictures::subject(std::size_t pane) const {
   const Document& document = controller_.document();
   const std::shared_ptr<const Scene>& scene = document.content.scene;
-  // The camera as the mouse moves it, which the session learns of when it rests.
+  // The camera is the view's, since the session learns of it only when the mouse rests.
   return {scene, document.session.light.value_or(scene->light), view_.camera(),
           shown_[pane].session.frame, view_.pixels()};
 }
@@ -45,8 +46,8 @@ PanePictures::Picture PanePictures::current(std::size_t pane) const {
   return nullptr;
 }
 
-// To probe the pane: nothing where the live view's report tells what it shows, and no maps where
-// the live view has the same ones.
+// What must be kept so that the pane can be probed: nothing where the live view's report tells what
+// it shows, and no maps where the live view has the same ones.
 KeptEvidence PanePictures::neededEvidence(std::size_t pane) const {
   if (isSetAsActive(shown_[pane], controller_)) return KeptEvidence::None;
   return sameMap(shown_[pane].session.frame, controller_.session().frame) ? KeptEvidence::Surfaces
@@ -83,7 +84,7 @@ void PanePictures::schedule() {
   if (view_.pixels().isEmpty() || upToDate()) return;
   std::vector<PictureSubject> wanted;
   for (std::size_t i = 0; i < shown_.size(); ++i) wanted.push_back(subject(i));
-  // What goes on being asked for is not put off again.
+  // While the same pictures are asked for again and again, they are not put off again.
   if (timer_.isActive() && wanted == scheduled_) return;
   scheduled_ = std::move(wanted);
   timer_.start(shown_.mode == ComparisonMode::Wipe ? 0 : rest);

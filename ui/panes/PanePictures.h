@@ -23,23 +23,23 @@ struct DrawnPane {
   QString problem;  // why there is no picture
 };
 
-// Pictures follow the live view: at once in a wipe, whose halves have to fit together, else when
-// the view rests. One is drawn at a time, so that what a person does meanwhile comes first.
+// The pictures follow the live view: at once in a wipe, whose halves have to fit together, else
+// when the view rests. One is drawn at a time, so that what a person does meanwhile comes first.
 class PanePictures : public QObject {
   Q_OBJECT
 
  public:
   using Picture = std::shared_ptr<const DrawnPane>;
 
-  // Reads `shown` whenever it is asked for anything.
+  // `shown` is read at every call, and must live as long.
   PanePictures(const ShownPanes& shown, const SessionController& controller, const SceneView& view,
                QObject* parent = nullptr);
   ~PanePictures() override;
 
   // The picture of exactly what the pane shows now; null until it is drawn.
   Picture current(std::size_t pane) const;
-  // The same, and until it is drawn an earlier one: from before the camera or the light moved, else
-  // what the pane showed last of its technique; null where there is none.
+  // The current picture, and until it is drawn an earlier one: from before the camera or the light
+  // moved, else what the pane showed last of its technique; null where there is none.
   Picture latest(std::size_t pane);
   // Every pane but the active one has its current picture.
   bool upToDate() const;

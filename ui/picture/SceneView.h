@@ -48,7 +48,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
 
   const LightHandle& lightHandle() const { return overlay_->handle(); }
 
-  // Of the last frame; null before the first one, and where the last one could not be drawn.
+  // The renderer of the last frame; null before the first one, and where the last one could not be
+  // drawn.
   ShadowRenderer* lastFrame() { return drawn_ ? shadow_.get() : nullptr; }
   const ShadowRenderer* lastFrame() const { return drawn_ ? shadow_.get() : nullptr; }
   std::optional<SurfacePoint> surfaceAt(const Pixel& pixel);
@@ -57,7 +58,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   std::pair<Image<float>, Image<float>> measure(const Technique& technique);
   // The surface around a pixel, as a plane.
   std::optional<Plane> surfacePlane(const Pixel& pixel, const SurfacePoint& centre);
-  // Of the last frame: equal numbers mean equal depth maps, and equal channels.
+  // Numbers the maps of the last frame: equal numbers mean equal depth maps, and equal channels.
   int mapRevision() const { return mapRevision_; }
   // The same of the first cascade's map, which techniques adapt to.
   int firstMapRevision() const { return firstMapRevision_; }

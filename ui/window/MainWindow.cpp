@@ -61,7 +61,8 @@ MainWindow::MainWindow(const Session& session, QWidget* parent)
   presenter_->start();
 }
 
-// The panes end before what they listen to.
+// The panes are children of the window and outlive the controller, which is a member: they must not
+// hear it any more.
 MainWindow::~MainWindow() {
   disconnect(&controller_, nullptr, nullptr, nullptr);
 }

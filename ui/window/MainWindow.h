@@ -53,11 +53,11 @@ class MainWindow : public QMainWindow {
   SurfaceExport& surfaces();
   const std::vector<QDockWidget*>& docks() const;
 
-  // As umbra::sessionToSave and umbra::sessionToRemember (ui/window/files/SavedSession.h).
+  // See ui/window/files/SavedSession.h.
   Session sessionToSave() const;
   Session sessionToRemember() const;
 
-  // As those of FileActions and BleedingExport.
+  // See FileActions and BleedingExport.
   void openFile(const std::filesystem::path& file);
   void saveSession(const std::filesystem::path& file);
   void savePicture(const std::filesystem::path& file);

@@ -18,7 +18,8 @@ SessionPresenter::SessionPresenter(SessionController& controller, SceneView& vie
 
 void SessionPresenter::start() {
   view_.showDocument(controller_.document(), controller_.technique());
-  // No frame calls for the probe of a depth file; its panes have their sizes once this returned.
+  // A depth file is drawn in no frame that would call for its probe. The panes have their sizes
+  // only after this returned.
   if (controller_.document().content.depth)
     QMetaObject::invokeMethod(&prober_, &Prober::refresh, Qt::QueuedConnection);
 }

@@ -19,9 +19,9 @@ class SessionPresenter : public QObject {
   SessionPresenter(SessionController& controller, SceneView& view, Prober& prober,
                    EvidencePanes& evidence, QObject* parent = nullptr);
 
-  // Shows the document that is open; once all parts of the window listen.
+  // Shows the document that is open. Must be called once, when all parts of the window listen.
   void start();
-  // What is open has or lacks a probe on purpose: the next frame places none by itself.
+  // The document has or lacks a probe on purpose: the next frame must place none by itself.
   void keepProbe() { probeNextFrame_ = false; }
 
  signals:

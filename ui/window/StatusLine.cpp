@@ -43,7 +43,7 @@ void StatusLine::refresh() {
   showFrame();
 }
 
-// What a storage format does to a parameter matters more than which scene is open.
+// A notice about what the storage format does to a parameter matters more than which scene is open.
 void StatusLine::showScene() {
   const QString title = style::text(titleOf(controller_.session().source));
   const Scene* scene = controller_.document().content.scene.get();

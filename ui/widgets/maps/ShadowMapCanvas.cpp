@@ -151,7 +151,7 @@ void ShadowMapCanvas::drawRegion(QPainter& painter) const {
   const QRectF texel = rectOfTexels({region_->x, region_->y, 1, 1});
   if (texel.width() < 3.0) return;
   const double radius = std::clamp(texel.width() / 4.0, 2.0, 6.0);
-  // In a corner of the texel where there is a figure in the middle.
+  // Where a figure stands in the middle of the texel, the mark goes into a corner.
   const QPointF mark =
       showsFigures() ? texel.topLeft() + QPointF(radius + 4, radius + 4) : texel.center();
   painter.setPen(QPen(Qt::white, 1.0));

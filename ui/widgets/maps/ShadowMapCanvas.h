@@ -20,19 +20,21 @@ class ShadowMapCanvas : public QWidget {
  public:
   explicit ShadowMapCanvas(QWidget* parent = nullptr);
 
-  // One channel; NaN and infinities are drawn apart. The zoom stays where the size does.
+  // Shows one channel. NaN and infinities have a colour of their own. Where the map's size is the
+  // same, the zoom stays.
   void setValues(Image<float> values);
   void setColourMap(ColourMap map);
   ColourMap colourMap() const { return colours_.colourMap(); }
   void setRegion(const std::optional<Region>& region);
 
-  // The whole map; and the region at about two thirds of the canvas (fit where there is none).
+  // fit shows the whole map; showRegion makes the region fill about two thirds of the canvas, and
+  // fits where there is none.
   void fit();
   void showRegion();
   // Magnifies `factor` times about a point of the widget, which stays over its texel.
   void zoomAbout(const QPointF& point, double factor);
 
-  // Finite values of the whole map; 0 … 1 where there are none.
+  // The smallest and largest finite value of the whole map; 0 and 1 where there is none.
   double low() const { return colours_.low(); }
   double high() const { return colours_.high(); }
   bool empty() const { return colours_.values().empty(); }

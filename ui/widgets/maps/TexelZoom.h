@@ -14,16 +14,17 @@ namespace umbra {
 // rectangles of the widget are in its pixels (logical), from its upper left corner.
 class TexelZoom {
  public:
-  // Of what `widget` shows, which must live as long.
+  // The zoom of what `widget` shows, which must live as long.
   explicit TexelZoom(const QWidget& widget) : widget_(widget) {}
 
   void setMap(const QSize& texels) { map_ = texels; }
-  // After the widget's size has changed: a map that was fitted still is, else the scale stays.
+  // Must be called after the widget's size has changed: a map that was fitted still is, else the
+  // scale stays.
   void follow();
 
-  // The whole map, also when the widget's size changes.
+  // Shows the whole map, also when the widget's size changes.
   void fit();
-  // `texels` in the middle, at about two thirds of the widget.
+  // Shows `texels` in the middle, filling about two thirds of the widget.
   void show(const QRect& texels);
   // Magnifies `factor` times about a point of the widget, which stays over its texel.
   void zoomAbout(const QPointF& point, double factor);
@@ -32,7 +33,8 @@ class TexelZoom {
 
   // Widget pixels per texel.
   double scale() const { return scale_; }
-  // The texel at a point of the map's axis, from the widget's coordinate: may lie off the map.
+  // The column of the texel at the widget's x, and the row of the one at its y; beside the map both
+  // go on counting.
   double column(double x) const;
   double row(double y) const;
   // None where the point is beside the map.

@@ -56,7 +56,7 @@ void LessonVisit::restoreLayout() {
   window_.resizeDocks({&docks_.controls()}, {controlsWidth_}, Qt::Horizontal);
 }
 
-// On top of the controls: what is read takes the place of what is set.
+// The lesson lies on top of the controls: what is read takes the place of what is set.
 void LessonVisit::placeDock() {
   if (!lessons_.progress()) return dock_->hide();
   dock_->setFloating(false);

@@ -24,7 +24,7 @@ class WindowDocks : public QObject {
   // In the order of the menu.
   const std::vector<QDockWidget*>& all() const { return docks_; }
   QDockWidget& controls() { return *controls_; }
-  // One more, that is not among `all`.
+  // Makes one more dock, which is not among all().
   QDockWidget* makeDock(const QString& title, const QString& name, QWidget& content,
                         Qt::DockWidgetArea area);
 

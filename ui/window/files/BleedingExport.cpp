@@ -88,7 +88,7 @@ void BleedingExport::start(const std::filesystem::path& file) {
   work_->start(job, file);
 }
 
-// A reason against it is told before a person is asked where to write.
+// A refusal is told before a person is asked where to write.
 void BleedingExport::ask() {
   if (const QString reason = refusal(); !reason.isEmpty()) {
     emit failed(reason);

@@ -16,16 +16,16 @@ class BleedingExport : public QObject {
   Q_OBJECT
 
  public:
-  // The progress of what was asked for by `ask` stands in a dialog over `window`.
+  // What was asked for by `ask` shows its progress in a dialog over `window`.
   BleedingExport(QWidget& window, FileDialogs& dialogs, SessionController& controller,
                  SceneView& view, Prober& prober);
 
   // Why the session has nothing to write; empty where it has.
   QString refusal() const;
-  // .vtp or .ply; written beside this thread. Throws where there is a refusal.
+  // Writes a .vtp or .ply file, beside this thread. Throws where there is a refusal.
   void start(const std::filesystem::path& file);
   void ask();
-  // The work itself: its progress, and its end.
+  // The work itself, which announces its progress and its end.
   SurfaceExport& work() { return *work_; }
 
  signals:

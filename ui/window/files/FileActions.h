@@ -21,8 +21,9 @@ class FileActions : public QObject {
   FileActions(FileDialogs& dialogs, SessionController& controller, SceneView& view, Prober& prober,
               ComparisonPanes& panes, QObject* parent = nullptr);
 
-  // By extension: a mesh, a depth map (.exr), a session or a lesson (.json); read beside this
-  // thread. A lesson is announced, the rest becomes the session.
+  // Opens what the file's extension says: a mesh, a depth map (.exr), a session or a lesson
+  // (.json). A lesson is announced; anything else becomes the session, and its source is read
+  // beside this thread.
   void open(const std::filesystem::path& file);
   // Throw BadOutput.
   void saveSession(const std::filesystem::path& file);

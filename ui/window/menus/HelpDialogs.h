@@ -13,7 +13,7 @@ class Technique;
 
 // None of them waits: they close themselves and are gone.
 void showTechniquePage(const Technique& technique, QWidget* parent);
-// What is done, and the key that does it.
+// Each pair is what is done, and the key that does it.
 void showShortcuts(const std::vector<std::pair<QString, QString>>& shortcuts, QWidget* parent);
 void showAbout(QWidget* parent);
 

@@ -9,7 +9,8 @@ class QMenu;
 
 namespace umbra {
 
-// At the end of the menu; `run` when it is chosen or its key is pressed. No key where it is empty.
+// Adds an action at the end of the menu and calls `run` when it is chosen or its key is pressed. An
+// empty key is none.
 QAction* addAction(QMenu& menu, const QString& text, const QKeySequence& key,
                    const std::function<void()>& run);
 

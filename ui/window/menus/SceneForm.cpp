@@ -70,7 +70,7 @@ void SceneForm::addRow(const SceneParameter& parameter) {
           [=, this, name = parameter.name](int step) { change(name, valueAt(step)); });
 }
 
-// Light, camera and probe stay as they are: what changes is what is being studied.
+// Light, camera and probe stay as they are, so that the change of the scene itself can be studied.
 void SceneForm::change(const std::string& name, double value) {
   Session next = controller_.session();
   next.source.parameters[name] = value;

@@ -1,4 +1,4 @@
-// What a catalogue scene lets one adjust, such as the depths of three planes.
+// The parameters of a scene of the catalogue, such as the depths of three planes.
 #pragma once
 
 #include <QWidget>

@@ -41,7 +41,7 @@ class WindowMenus : public QObject {
  public:
   WindowMenus(QMainWindow& window, const MenuSubjects& subjects);
 
-  // Those that the tool bar shows as well.
+  // These menus are shown by the tool bar as well.
   SceneMenu& scene() { return *scene_; }
   ExportMenu& exports() { return *export_; }
   ViewMenu& view() { return *view_; }
