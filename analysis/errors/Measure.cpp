@@ -1,21 +1,12 @@
 #include "analysis/errors/Measure.h"
 
-#include <algorithm>
-
 #include "analysis/probe/Explain.h"
 #include "filters/core/technique/VisibleError.h"
 
 namespace umbra {
 
-const TechniqueResult* techniqueResult(const Probe& probe, std::string_view technique) {
-  const auto found = std::find_if(
-      probe.techniques.begin(), probe.techniques.end(),
-      [&](const TechniqueResult& result) { return result.technique->info().id == technique; });
-  return found == probe.techniques.end() ? nullptr : &*found;
-}
-
 std::optional<double> measured(const Probe& probe, Quantity quantity, std::string_view technique) {
-  const TechniqueResult* result = techniqueResult(probe, technique);
+  const TechniqueResult* result = resultOf(probe, technique);
   const QuantityInfo& info = infoOf(quantity);
   if (info.ofFrame || (info.ofTechnique && !result)) return std::nullopt;
   switch (quantity) {
@@ -58,7 +49,7 @@ double measured(const Metrics& metrics, Quantity quantity) {
 }
 
 std::string causeOf(const Probe& probe, std::string_view technique) {
-  const TechniqueResult* result = techniqueResult(probe, technique);
+  const TechniqueResult* result = resultOf(probe, technique);
   if (!result) return {};
   return explain(probe, *result).sentence;
 }

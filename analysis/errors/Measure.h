@@ -10,9 +10,6 @@
 
 namespace umbra {
 
-// The result of the technique with this id; null where the probe has none.
-const TechniqueResult* techniqueResult(const Probe& probe, std::string_view technique);
-
 // The quantity at a probe. Nothing for a technique of which the probe has no result, and for a
 // quantity of a frame.
 std::optional<double> measured(const Probe& probe, Quantity quantity, std::string_view technique);

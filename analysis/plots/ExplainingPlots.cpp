@@ -42,7 +42,7 @@ std::optional<Plot> radius(const ExplainingInput& input, const std::function<voi
 }
 
 std::optional<Plot> precision(const ExplainingInput& input, const std::function<void()>&) {
-  const TechniqueResult* result = plot::resultNamed(input.probe, input.selected);
+  const TechniqueResult* result = resultOf(input.probe, input.selected);
   if (!result || result->channels.empty()) return std::nullopt;
   return precisionPlot(precisionOf(input.request, result->technique));
 }

@@ -31,7 +31,7 @@ std::pair<double, double> highestOf(const csm::FourierSeries& series) {
 
 // The parameters of the probe's technique csm, or the defaults where the probe has none.
 csm::CsmParameters parametersOf(const Probe& probe) {
-  const TechniqueResult* result = plot::resultNamed(probe, "csm");
+  const TechniqueResult* result = resultOf(probe, "csm");
   const auto* technique = result ? dynamic_cast<const csm::Csm*>(result->technique.get()) : nullptr;
   return technique ? technique->values : csm::CsmParameters();
 }

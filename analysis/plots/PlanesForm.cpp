@@ -66,7 +66,7 @@ double predictedVisibility(const PlaneShares& planes, double receiver, double mi
 }
 
 std::optional<PlanesPrediction> predictPlanes(const Probe& probe, std::span<const double> depths) {
-  const TechniqueResult* vsm = plot::resultNamed(probe, "vsm");
+  const TechniqueResult* vsm = resultOf(probe, "vsm");
   const std::optional<PlaneShares> planes = planeSharesOf(probe, depths);
   if (!vsm || !planes || depths.empty()) return std::nullopt;
   PlanesPrediction prediction{.planes = *planes};
@@ -85,7 +85,7 @@ Plot planesPlot(const Probe& probe, const PlanesPrediction& prediction) {
             .yLabel = "visibility v(z)",
             .xRange = range,
             .yRange = PlotRange{0.0, 1.02}};
-  const TechniqueResult& vsm = *plot::resultNamed(probe, "vsm");
+  const TechniqueResult& vsm = *resultOf(probe, "vsm");
   const std::shared_ptr<const Technique> technique = unreduced(vsm);
   plot.series.push_back(plot::sampled("exact", referenceColour, range, [&](double z) {
     return referenceVisibility(probe.region, z);
@@ -119,7 +119,7 @@ Plot coveragePlot(const Probe& probe, const PlanesPrediction& prediction) {
             .yLabel = "visibility",
             .xRange = PlotRange{0.0, 1.0},
             .yRange = PlotRange{0.0, 1.02}};
-  const double least = minVarianceOf(*plot::resultNamed(probe, "vsm")->technique);
+  const double least = minVarianceOf(*resultOf(probe, "vsm")->technique);
   plot.series.push_back(plot::sampled("closed form", predictedColour, {0.0, 1.0}, [&](double s) {
     return predictedVisibility(withNearestShare(prediction.planes, s), probe.receiver, least);
   }));

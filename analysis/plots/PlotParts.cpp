@@ -69,12 +69,6 @@ std::string tint(std::string_view colour, double share) {
   return mixed;
 }
 
-const TechniqueResult* resultNamed(const Probe& probe, std::string_view id) {
-  for (const TechniqueResult& result : probe.techniques)
-    if (result.technique->info().id == id) return &result;
-  return nullptr;
-}
-
 double parameterOf(const Technique& technique, std::string_view name, double otherwise) {
   for (const ParameterView& parameter : technique.parameters()) {
     if (parameter.name != name) continue;

@@ -37,9 +37,6 @@ PlotSeries sampled(std::string name, std::string_view colour, PlotRange range,
 // "#rrggbb" mixed with white: 1 is the colour itself, 0 white.
 std::string tint(std::string_view colour, double share);
 
-// The probe's result of technique `id`; null where there is none.
-const TechniqueResult* resultNamed(const Probe& probe, std::string_view id);
-
 // The technique's numeric parameter of that name, or `otherwise` where it has none.
 double parameterOf(const Technique& technique, std::string_view name, double otherwise);
 

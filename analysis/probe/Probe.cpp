@@ -14,7 +14,7 @@ bool nextIsHeavier(const SeamPart& seam) {
   return seam.weight > 0.5;
 }
 
-TechniqueResult resultOf(std::shared_ptr<const Technique> technique, const ProbeRequest& request,
+TechniqueResult evaluate(std::shared_ptr<const Technique> technique, const ProbeRequest& request,
                          const Probe& probe) {
   TechniqueResult result;
   result.channels =
@@ -116,11 +116,18 @@ Probe takeProbe(const ProbeRequest& request) {
   for (const auto& technique : request.techniques) {
     const std::string refusal = whyImpossible(frame, *technique);
     if (refusal.empty())
-      probe.techniques.push_back(resultOf(technique, request, probe));
+      probe.techniques.push_back(evaluate(technique, request, probe));
     else
       probe.refused.push_back({technique, refusal});
   }
   return probe;
+}
+
+const TechniqueResult* resultOf(const Probe& probe, std::string_view id) {
+  const auto found = std::find_if(
+      probe.techniques.begin(), probe.techniques.end(),
+      [&](const TechniqueResult& result) { return result.technique->info().id == id; });
+  return found == probe.techniques.end() ? nullptr : &*found;
 }
 
 Fetch fetchOf(const Probe& probe, const TechniqueResult& result) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -70,6 +71,9 @@ struct Probe {
 };
 
 Probe takeProbe(const ProbeRequest& request);
+
+// The result of the technique with this id; null where the probe has none.
+const TechniqueResult* resultOf(const Probe& probe, std::string_view id);
 
 // The fetch of a technique of the probe; in a seam that of the heavier part. It refers to both
 // arguments.

@@ -101,17 +101,17 @@ Json sourceToJson(const std::string& name, const DepthMap& map) {
   return {{"name", name}, {"width", map.width()}, {"height", map.height()}};
 }
 
-Json probeToJson(const Probe& probe, const DepthMap& map, const ProbeReport& report) {
-  const Histogram histogram = histogramOf(probe.region, report.bins);
+Json probeToJson(const Probe& probe, const DepthMap& map, const ProbeJsonDetail& detail) {
+  const Histogram histogram = histogramOf(probe.region, detail.bins);
   Json object = {{"format", "umbrascope-probe/1"},
-                 {"source", sourceToJson(report.sourceName, map)},
+                 {"source", sourceToJson(detail.sourceName, map)},
                  {"region", regionToJson(probe.region)},
                  {"receiver", probe.receiver},
                  {"statistics", statisticsToJson(probe.statistics)},
                  {"reference", probe.reference},
                  {"techniques", techniquesToJson(probe)},
                  {"histogram", {{"edges", histogram.edges}, {"weights", histogram.weights}}}};
-  if (report.samples > 0) object["curves"] = curvesToJson(probe, report.samples);
+  if (detail.samples > 0) object["curves"] = curvesToJson(probe, detail.samples);
   return object;
 }
 

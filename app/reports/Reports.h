@@ -24,14 +24,15 @@ Json parametersOf(const Technique& technique);
 // {"name", "width", "height"}.
 Json sourceToJson(const std::string& name, const DepthMap& map);
 
-struct ProbeReport {
+// What probeToJson writes beside the probe itself, and how finely.
+struct ProbeJsonDetail {
   std::string sourceName;
-  int bins = 60;
+  int bins = 60;    // of the histogram of depths
   int samples = 0;  // of the curves; 0 leaves them out
 };
 // "umbrascope-probe/1". Statistics that are infinite are null. The darkening of a smallest
 // reduction is the largest on receivers at the region's own depths.
-Json probeToJson(const Probe& probe, const DepthMap& map, const ProbeReport& report);
+Json probeToJson(const Probe& probe, const DepthMap& map, const ProbeJsonDetail& detail);
 
 // Adds to each technique of probeToJson its "trace": {"steps": [{"symbol", "meaning", "formula",
 // "value"}], "cause", "step", "sentence", "shares": [{"cause", "step", "amount"}]}. Steps count

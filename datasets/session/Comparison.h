@@ -43,7 +43,7 @@ enum class PaneSetting { Parameters, Kernel, Read, Format, MapSize, Samples, Cas
 struct Pane {
   std::string technique;
   // Of the active pane the same ones are set, but their values are what the others share, since
-  // its own are the session's: activePane() exchanges the two.
+  // its own are the session's: activatePane() exchanges the two.
   PaneSettings own;
 
   bool linked() const { return own == PaneSettings{}; }  // shares every setting

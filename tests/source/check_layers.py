@@ -26,7 +26,8 @@ ROOMS = {
     "analysis": ["probe", "frame", "errors", "rays", "surfaces", "plots"],
     "datasets": ["meshes", "maps", "scenes", "session", "session/file", "lessons"],
     "ui": ["plots", "widgets/base", "widgets/forms", "widgets/maps", "widgets/plots", "widgets/tables",
-           "session", "picture", "probe", "panes", "errors", "layers", "lessons", "window"],
+           "session", "picture", "probe", "panes", "errors", "layers", "lessons", "window/files",
+           "window/docks", "window/menus", "window"],
     "app": ["output", "reports", "options", "frames", "lessons", "commands", "start"],
 }
 # A room that may include more than its layer may: the plots of one technique's mathematics use that

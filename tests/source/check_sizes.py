@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Fails when a source file is longer than 400 lines, since two ideas live in it; when more than 40
-sources lie flat in one folder; or when one class is cut into several files, longer than that
-together.
+sources lie flat in one folder; or when the members of one class are cut over several .cpp files. A
+technique's explanation may stand beside it, Csm::explain in CsmExplain.cpp.
 
 usage: check_sizes.py SOURCE_ROOT | --self-test
 """
@@ -13,7 +13,7 @@ import sys
 LONGEST = 400
 MOST_FLAT = 40
 # Classes that are still to be divided. The list only grows shorter.
-STILL_WIDE = {"ComparisonPanes", "MainWindow", "WindowTest"}
+STILL_WIDE = {"WindowTest"}
 # The definition of a member function, at the start of a line: "void Probe::read(" is of Probe.
 MEMBER = re.compile(r"^(?!\s)(?:[\w:<>,&*\s~]+?[\s&*])?(\w+)::~?\w+\(")
 FOLDERS = ("app", "filters", "analysis", "ui", "datasets", "tests")
@@ -41,9 +41,9 @@ def problems_in(sources):
             for name in members(text) & headers:
                 files[name].append(path)
     for name, paths in files.items():
-        lines = sum(len(sources[path].splitlines()) for path in paths)
-        if len(paths) > 1 and lines > LONGEST and name not in STILL_WIDE:
-            yield f"{name}: {lines} lines in {len(paths)} files, {LONGEST} are allowed: divide what it does"
+        cut = [path for path in paths if not path.endswith(f"/{name}Explain.cpp")]
+        if len(cut) > 1 and name not in STILL_WIDE:
+            yield f"{name}: its members lie in {len(cut)} files ({', '.join(sorted(cut))}): divide what it does"
 
 
 def main(root):
@@ -58,13 +58,16 @@ def main(root):
 
 def self_test():
     """The check must see what it is there for."""
-    half = "void Wide::run() {\n" + "}\n" * 250
+    part = "void Wide::run() {\n}\n"
     bad = [
         {"ui/Long.cpp": "\n" * 401},
         {f"ui/F{i}.h": "" for i in range(41)},
-        {"ui/Wide.h": "class Wide;", "ui/WideFirst.cpp": half, "ui/WideSecond.cpp": half},
+        {"ui/Wide.h": "class Wide;", "ui/WideFirst.cpp": part, "ui/WideSecond.cpp": part},
     ]
-    good = [{"ui/Wide.h": "class Wide;", "ui/Wide.cpp": half, "ui/Other.cpp": "int f() {}\n" * 200}]
+    good = [
+        {"ui/Wide.h": "class Wide;", "ui/Wide.cpp": part, "ui/Other.cpp": "int f() {}\n" * 200},
+        {"filters/Wide.h": "class Wide;", "filters/Wide.cpp": part, "filters/WideExplain.cpp": part},
+    ]
     missed = [i for i, sources in enumerate(bad) if not list(problems_in(sources))]
     wrong = [i for i, sources in enumerate(good) if list(problems_in(sources))]
     print(f"missed: {missed}, wrongly reported: {wrong}")

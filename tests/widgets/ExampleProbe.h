@@ -21,8 +21,8 @@ inline Region regionAround(int x, int y, int radius) {
   return regionAtTexel(map, Kernel{KernelShape::Box, radius}, x, y);
 }
 
-inline TechniqueResult resultOf(std::string_view id, std::string_view title,
-                                std::string_view colour, double visibility, double error) {
+inline TechniqueResult exampleResult(std::string_view id, std::string_view title,
+                                     std::string_view colour, double visibility, double error) {
   TechniqueResult result;
   result.technique = std::make_shared<ExampleTechnique>(id, title, colour);
   result.visibility = visibility;
@@ -36,10 +36,11 @@ inline Probe exampleProbe() {
   probe.receiver = 0.78;
   probe.statistics = {0.4977, 0.27099, 0.02328, 0.257, 0.643, 1.653};
   probe.reference = 0.0;
-  probe.techniques = {resultOf("pcf", "PCF (truth)", "#1f2933", 0.0, 0.0),
-                      resultOf("vsm", "Variance (VSM)", "#2563c9", 0.2264, 0.2264),
-                      resultOf("csm", "Convolution (CSM)", "#b7791f", 0.0, -0.0312),
-                      resultOf("layered-power-cdf", "Layered power CDF", "#7c3aed", 0.5, -1.0)};
+  probe.techniques = {
+      exampleResult("pcf", "PCF (truth)", "#1f2933", 0.0, 0.0),
+      exampleResult("vsm", "Variance (VSM)", "#2563c9", 0.2264, 0.2264),
+      exampleResult("csm", "Convolution (CSM)", "#b7791f", 0.0, -0.0312),
+      exampleResult("layered-power-cdf", "Layered power CDF", "#7c3aed", 0.5, -1.0)};
   probe.techniques[1].gpu = 0.2262;
   return probe;
 }

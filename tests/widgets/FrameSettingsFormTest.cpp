@@ -172,7 +172,7 @@ TEST_F(FrameSettingsFormTest, AnImpossibleChoiceSaysWhyAndIsPassedOver) {
   EXPECT_EQ(changes.back().first.map.format, StorageFormat::Half);
 }
 
-// Else nothing could be chosen any more, not even what would help.
+// Otherwise nothing could be chosen any more, not even what would help.
 TEST_F(FrameSettingsFormTest, WhatIsImpossibleAlreadyGreysOutNothingElse) {
   FrameSettings settings;
   settings.read.filter = ReadFilter::SummedArea;

@@ -156,7 +156,7 @@ TEST_F(PlotPaneTest, ABandLiesBehindItsStretchAlone) {
   pane.canvas()->replot();
   const QImage picture = pane.canvas()->canvas()->grab().toImage();
   const double ratio = picture.devicePixelRatio();
-  // Off the grid's lines.
+  // This point lies off the grid's lines.
   const QColor outside = picture.pixelColor(at(0.33) * ratio);
   const QColor inside = picture.pixelColor(at(0.77) * ratio);
   EXPECT_EQ(outside.red(), outside.green());

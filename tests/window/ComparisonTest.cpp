@@ -69,7 +69,7 @@ void WindowTest::aWipesSidesStayWhereTheyAre() {
   QCOMPARE(right.size(), left.size());
   QVERIFY(right != left);
   QVERIFY(!window.view().overlayContents().curtainLeft);
-  // Through the key, the right one becomes the live one.
+  // A key makes the right pane the live one.
   key(Qt::Key_1);
   settlePanes();
   QCOMPARE(window.controller().session().technique, std::string("pcf"));
@@ -78,7 +78,7 @@ void WindowTest::aWipesSidesStayWhereTheyAre() {
   QVERIFY(liveFrame(window) == right);
   QVERIFY(bare(window.view().overlayContents().curtain) == left);
   QVERIFY(window.view().overlayContents().curtainLeft);
-  // And by a click on its label the left one again.
+  // A click on its label makes the left pane the live one again.
   QTest::mouseClick(&panes.header(0), Qt::LeftButton, {}, QPoint(2, 2));
   settlePanes();
   QCOMPARE(panes.active(), std::size_t(0));
@@ -152,12 +152,13 @@ void WindowTest::whatAPaneCannotShowIsSaidThere() {
   QVERIFY(window.controller().refusals().contains("power-cdf"));
   QVERIFY(panes.picture(1).picture().isNull());
   QCOMPARE(panes.picture(1).message(), window.controller().refusals().value("power-cdf"));
-  // Nor is it offered where it cannot be.
+  // A technique is not offered where it cannot be drawn either.
   const auto* box = panes.header(0).findChild<QComboBox*>();
   const QModelIndex refused = box->model()->index(box->findData("power-cdf"), 0);
   QVERIFY(!(refused.flags() & Qt::ItemIsEnabled));
   QVERIFY(box->model()->index(box->findData("msm"), 0).flags() & Qt::ItemIsEnabled);
-  // A pane that reads otherwise is refused nothing, and none because of it.
+  // A pane with another read is refused no technique, and the other panes are refused none because
+  // of it.
   window.controller().edit("Read otherwise", [](Session& s) {
     setOwn(s, 1, PaneSetting::Read, true);
     s.comparison.panes[1].own.read->filter = ReadFilter::Bilinear;
@@ -179,7 +180,7 @@ void WindowTest::aDepthFileTakesThePlaceOfPanes() {
   settlePanes();
   const QString file = folder_.filePath("beside-panes.exr");
   writeExr(file.toStdString(), {{"Z", Image<float>(24, 16, 1, 0.5F)}}, {});
-  // With a probe at once, and settings that no pane has.
+  // This session has a probe from the start, and settings that no pane has.
   Session session;
   session.source = {SourceKind::DepthFile, file.toStdString(), {}, 0.0, 1.0, {}};
   session.frame.kernel.radius = 8;

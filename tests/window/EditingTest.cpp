@@ -77,7 +77,7 @@ void WindowTest::theSmallestReductionOfThePictureDarkensEveryUmbra() {
   Session session;
   session.source.name = "three-planes";
   MainWindow& window = open(session);
-  // Whatever is set now: the bound is measured without it.
+  // The bound is measured without the reduction, whatever is set now.
   window.controller().edit("half",
                            [](Session& s) { s.parameters["vsm"]["bleed-reduction"] = 0.5; });
   settle();

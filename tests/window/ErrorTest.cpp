@@ -34,7 +34,7 @@ ErrorController& errorsOf(MainWindow& window) {
   return *window.findChild<ErrorController*>();
 }
 
-// With the present picture's figures.
+// Raises the pane and waits until it has the present picture's figures.
 ErrorPane& errorPaneOf(MainWindow& window) {
   window.findChild<QDockWidget*>("errorDock")->raise();
   if (!QTest::qWaitFor([&] { return errorsOf(window).current(); }, patience))
@@ -42,7 +42,7 @@ ErrorPane& errorPaneOf(MainWindow& window) {
   return *window.findChild<ErrorPane*>();
 }
 
-// What a pixel reads, put together here.
+// The request that a pixel's read makes, put together here.
 ProbeRequest requestByHand(MainWindow& window, const SurfaceImage& surfaces, const DepthMap& map,
                            int x, int y) {
   const FrameSettings& settings = window.controller().session().frame;
@@ -64,7 +64,7 @@ Image<float> referenceByHand(MainWindow& window) {
   return reference;
 }
 
-// Pixel by pixel on one thread.
+// Takes the error apart pixel by pixel, on one thread.
 ErrorDecomposition takenByHand(MainWindow& window) {
   const SurfaceImage surfaces = window.view().lastFrame()->surfaces();
   const Image<float> reference = referenceByHand(window);
@@ -100,7 +100,7 @@ void draw(PictureCanvas& canvas, const QVector<QPoint>& points) {
   QTest::mouseRelease(&canvas, Qt::LeftButton, {}, points.back());
 }
 
-// The same in pixels of the picture, as a mask.
+// The polygon in pixels of the picture, as a mask.
 Image<std::uint8_t> maskOf(const PictureCanvas& canvas, const QVector<QPoint>& points) {
   std::vector<LassoPoint> polygon;
   for (const QPoint& point : points) {
@@ -115,7 +115,7 @@ QVector<QPoint> triangleIn(const PictureCanvas& canvas) {
   return {{width / 4, height / 3}, {width * 3 / 4, height / 2}, {width / 3, height * 4 / 5}};
 }
 
-// The pixel with the largest part, by size; of those in `mask`.
+// Of the pixels in `mask`, the one whose `part` is largest in size.
 Pixel worstByHand(const ErrorDecomposition& errors, ErrorPart part,
                   const Image<std::uint8_t>* mask = nullptr) {
   Pixel worst;
@@ -185,7 +185,7 @@ void WindowTest::aLassoCountsWhatItCircles() {
   QVERIFY(std::abs(sums->error - error / double(pixels)) < 1e-10);
   QCOMPARE(cell(pane, 0, 2), style::signedFigure(sums->error));
   QCOMPARE(window.controller().undoStack().count(), 0);  // no click
-  // Outlined over the scene, where the same picture is.
+  // The lasso is outlined over the scene as well, at the same place of the picture.
   const QPolygonF outline = window.view().overlayContents().selection;
   QCOMPARE(outline.size(), triangle.size());
   const QPointF corner = canvas.toPicture(triangle[1]) / window.view().devicePixelRatioF();

@@ -16,8 +16,8 @@
 #include "ui/widgets/plots/PlotPane.h"
 #include "ui/window/CentrePane.h"
 #include "ui/window/MessageBanner.h"
-#include "ui/window/SceneForm.h"
 #include "ui/window/WindowMemory.h"
+#include "ui/window/menus/SceneForm.h"
 
 namespace umbra {
 namespace {

@@ -24,7 +24,7 @@ Session layeredSession() {
   return session;
 }
 
-// With its plots there.
+// Raises the pane and waits until its plots are there.
 LayersPane& layersPaneOf(MainWindow& window) {
   window.findChild<QDockWidget*>("layersDock")->raise();
   auto* pane = window.findChild<LayersPane*>();
@@ -80,7 +80,7 @@ void WindowTest::aSplitIsDragged() {
   QCOMPARE(splits.size(), std::size_t(3));
   QVERIFY(std::abs(splits[1] - 0.6) <= pixel);
   QCOMPARE(shownSplits(pane), splits);
-  // Past its neighbour it stops before it.
+  // A split that is dragged past its neighbour stops before it.
   moveMouse(canvas, at(0.9), Qt::LeftButton);
   splits = manualSplits(window);
   QVERIFY(splits[1] < 0.75 && splits[1] > 0.7);
@@ -119,7 +119,7 @@ void WindowTest::lloydIsSteppedToItsEndAndUndone() {
   QVERIFY(!step->isEnabled());
   const std::size_t iterations = costs().size();
 
-  // Back among the iterations, which stay to be seen.
+  // Undo goes back among the iterations, which stay in sight.
   key(Qt::Key_Z, Qt::ControlModifier);
   QCOMPARE(manualSplits(window), once);
   QCOMPARE(costs().size(), iterations);

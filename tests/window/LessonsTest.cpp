@@ -58,7 +58,7 @@ void WindowTest::lightBleedingIsPredictedThenMeasured() {
   QVERIFY(question.isVisible());
   QVERIFY(question.measuredText().isEmpty());
 
-  // By slider, then to the figure by field and Enter.
+  // The prediction is made by the slider, then set to the figure in the field, with Enter.
   question.slider()->setValue(question.slider()->maximum() / 4);
   QCOMPARE(question.field()->value(), 0.25);
   const double predicted = bleedingOf(0.44, 0.20);

@@ -19,7 +19,7 @@
 namespace umbra {
 namespace {
 
-// As by the slider.
+// Sets the radius as the slider does.
 void setRadius(MainWindow& window, int radius) {
   FrameSettings frame = window.controls().frame().settings();
   frame.kernel.radius = radius;
@@ -46,7 +46,7 @@ void WindowTest::aDuplicateIsDrawnWithItsOwnSettings() {
   window.resize(1650, 900);  // room for labels of one line, whatever they say
   ComparisonPanes& panes = window.centre().comparison();
   settlePanes();
-  // What a session draws that has nothing else.
+  // The live view with the narrow kernel, before the copy gets a wider one.
   const QImage narrow = liveFrame(window);
   setRadius(window, 12);
   settlePanes();
@@ -124,8 +124,8 @@ void WindowTest::aPanesErrorIsOfItsOwnSettings() {
   QVERIFY(panes.header(1).errorText() != panes.header(0).errorText());
   QVERIFY(panes.figures(0)->footprint.empty());
   QVERIFY(!panes.figures(1)->footprint.empty());
-  // What a pane says of itself when it is the active one, and the other one then. Receivers are
-  // floats, read back from frames of two renderers.
+  // A pane must tell the same figures when it is the active one and when the other one is.
+  // Receivers are floats, read back from frames of two renderers.
   constexpr double rounding = 1e-6;
   QTest::mouseClick(&panes.header(1), Qt::LeftButton, {}, QPoint(2, 2));
   settlePanes();

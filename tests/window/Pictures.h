@@ -11,7 +11,7 @@
 
 namespace umbra {
 
-// On three planes; the session's technique is the first one.
+// A comparison on the three planes; the session's technique is the first of `techniques`.
 inline Session comparing(ComparisonMode mode, const std::vector<std::string>& techniques) {
   Session session;
   session.source.name = "three-planes";
@@ -20,7 +20,7 @@ inline Session comparing(ComparisonMode mode, const std::vector<std::string>& te
   return session;
 }
 
-// Of the live view, without what is drawn over it.
+// The last frame of the live view, without what is drawn over it.
 inline QImage liveFrame(MainWindow& window) {
   const Image<std::uint8_t> colour = window.view().lastFrame()->colour();
   return QImage(colour.values().data(), colour.width(), colour.height(), colour.width() * 3,

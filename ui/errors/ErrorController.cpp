@@ -16,7 +16,8 @@ namespace {
 
 constexpr int stillFor = 250;      // ms: a light or camera in the hand draws a frame after another
 constexpr int tickInterval = 100;  // ms
-// Of a picture, at most: some five seconds on one core. A 7 × 7 kernel is far below it.
+// So many taps are read for one picture at most, which takes some five seconds on one core. A 7 × 7
+// kernel needs far fewer.
 constexpr double mostTaps = 3e7;
 
 Image<std::uint8_t> maskOf(const QPolygonF& lasso, int width, int height) {
@@ -25,7 +26,7 @@ Image<std::uint8_t> maskOf(const QPolygonF& lasso, int width, int height) {
   return lassoMask(points, width, height);
 }
 
-// What `progress` throws stops it. The reference is not asked of the GPU: over wide regions a slow
+// Whatever `progress` throws stops the work. The reference is not asked of the GPU: over wide regions a slow
 // one takes seconds, in which nothing would move.
 std::shared_ptr<const ErrorController::Taken> takenApart(
     const FrameSnapshot& frame, const std::function<void(double)>& progress) {
@@ -113,7 +114,7 @@ void ErrorController::refresh() {
 }
 
 void ErrorController::start() {
-  // A frame that is still to come asks again.
+  // Where a frame is still to come, its arrival asks again.
   if (!watched_ || !obstacle().isEmpty() || current() || !view_.upToDate()) return;
   try {
     view_.makeCurrent();
@@ -189,7 +190,8 @@ void ErrorController::setPart(std::optional<ErrorPart> part) {
   emit changed();
 }
 
-// The camera keeps its vertical angle: lengths follow the height, about the middle.
+// The camera keeps its vertical angle, so lengths scale with the height, about the picture's
+// middle.
 QPolygonF ErrorController::lassoIn(const QSize& size) const {
   if (lasso_.isEmpty() || size == lassoSize_) return lasso_;
   const double scale = double(size.height()) / lassoSize_.height();

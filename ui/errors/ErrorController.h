@@ -37,12 +37,13 @@ class ErrorController : public QObject {
   // Waits for the rows that are being taken.
   ~ErrorController() override;
 
-  // Nothing is computed unless somebody looks.
+  // While nobody looks (false), nothing is computed.
   void setWatched(bool watched);
 
-  // Why there can be no figures at all; "" where there can.
+  // Says why there can be no figures at all; "" where there can.
   QString obstacle() const;
-  // Null before the first; while the frame changes that of an earlier frame.
+  // What was taken apart last: of an earlier frame while the frame changes, null before the first
+  // one.
   const std::shared_ptr<const Taken>& taken() const { return taken_; }
   bool current() const;  // taken() is of the present frame
   bool working() const { return working_; }
@@ -56,11 +57,11 @@ class ErrorController : public QObject {
   void setLasso(const QPolygonF& lasso, const QSize& size);
   void clearLasso() { setLasso({}, {}); }
 
-  // Of taken(), which must be there.
+  // The sums over taken(), which must not be null.
   const ErrorSums& frameSums() const { return frameSums_; }
   const std::optional<ErrorSums>& lassoSums() const { return lassoSums_; }  // none without a lasso
 
-  // Both pin the probe, where taken() is of the present frame.
+  // Both pin the probe, but only where current() holds.
   void pin(int x, int y);
   void goToWorst();  // of the part that is shown, inside the lasso if there is one
 

@@ -68,7 +68,8 @@ ErrorPane::ErrorPane(ErrorController& errors, Prober& prober, QWidget* parent)
   readout_->setPalette(muted);
   readout_->setWordWrap(true);
   readout_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  // Wraps in the table's width, and asks for no height of its own: nothing moves under the pointer.
+  // The text wraps in the table's width and asks for no height of its own, so that nothing moves
+  // under the pointer.
   readout_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
   readout_->setMinimumHeight(fontMetrics().height());
   grid_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
@@ -110,7 +111,7 @@ void ErrorPane::resizeEvent(QResizeEvent* event) {
                                                              : QBoxLayout::TopToBottom);
 }
 
-// Escape is the lasso's as long as there is one, and the window's else.
+// Escape removes the lasso while there is one; without one it is left to the window.
 bool ErrorPane::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride &&
       static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape && clear_->isEnabled())
@@ -185,7 +186,7 @@ void ErrorPane::showLegend() {
   legend_->setScale(ColourMap::Diverging, -range_, range_, tr("too dark … too light"));
 }
 
-// Of the pixel under the pointer, also when the picture beneath it has changed.
+// Shows the figures of the pixel under the pointer, also after the picture beneath it has changed.
 void ErrorPane::showReadout() {
   if (!painted_) return readout_->clear();
   if (!hovered_ || !canvas_->picture().rect().contains(*hovered_))

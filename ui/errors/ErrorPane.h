@@ -53,7 +53,7 @@ class ErrorPane : public Card {
   ErrorTable* table_;
   ElidedLabel* grid_;  // says which pixels count
   QLabel* readout_;    // of the pixel under the pointer; else what one can do
-  // What the picture shows, so that only another one is painted anew.
+  // The figures that the picture shows; it is painted anew only where others take their place.
   std::shared_ptr<const ErrorController::Taken> painted_;
   std::optional<ErrorPart> paintedPart_;
   double range_ = 1.0;

@@ -27,7 +27,7 @@ void write(const FieldMesh& mesh, const std::filesystem::path& file) {
 
 SurfaceExport::SurfaceExport(QObject* parent) : QObject(parent) {}
 
-// What the thread has posted to this object dies with it.
+// Events that the thread has posted to this object die with it.
 SurfaceExport::~SurfaceExport() = default;
 
 void SurfaceExport::start(const SurfaceJob& job, const std::filesystem::path& file) {

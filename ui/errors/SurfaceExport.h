@@ -25,16 +25,16 @@ class SurfaceExport : public QObject {
 
  public:
   explicit SurfaceExport(QObject* parent = nullptr);
-  // Cancels.
+  // Cancels the work, and waits until its thread has ended.
   ~SurfaceExport() override;
 
   bool busy() const { return busy_; }
-  // To a .vtp or .ply file; throws BadOutput for another one. Ends in `written`, `failed` or
-  // `cancelled`, on the thread of this object. Not while busy.
+  // Writes a .vtp or .ply file; throws BadOutput for another one. The work ends in `written`,
+  // `failed` or `cancelled`, on the thread of this object. Must not be called while busy.
   void start(const SurfaceJob& job, const std::filesystem::path& file);
 
  public slots:
-  // What stood at the file stays.
+  // The file stays as it was before.
   void cancel();
 
  signals:

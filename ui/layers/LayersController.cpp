@@ -112,7 +112,7 @@ void LayersController::sessionChanged(const Document& before, const Document& af
   emit changed();
 }
 
-// Of equal ones the occluders are equal. Null where there is no map yet.
+// Names the map: equal maps have equal occluders. Null where there is no map yet.
 std::shared_ptr<const void> LayersController::presentMap() const {
   if (const auto& depth = controller_.document().content.depth) return depth;
   return view_.lastFrame() ? view_.baked().firstMap : nullptr;
@@ -170,8 +170,8 @@ void LayersController::found(const Occluders& occluders) {
   emit changed();
 }
 
-// Which iteration the session's splits are; undo and redo go to and fro among them. Splits that are
-// none of them begin another run.
+// Finds the iteration that the session's splits are, since undo and redo go to and fro among the
+// iterations. Splits that are none of them begin another run.
 void LayersController::followSplits() {
   relaxDepthFile();
   shownSplits_ = splits();
@@ -212,7 +212,7 @@ void LayersController::place(const QString& text, std::vector<double> splits,
   placing_ = false;
 }
 
-// No frame finds a depth file's splits.
+// A depth file is drawn in no frame that would find its splits.
 void LayersController::relaxDepthFile() {
   if (!controller_.document().content.depth || !layered() || !occluders_) return relaxed_.clear();
   const int count = adaptedSplitCount(layerParametersOf(controller_.technique()));

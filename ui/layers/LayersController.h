@@ -20,8 +20,8 @@ namespace umbra {
 class SceneView;
 class SessionController;
 
-// The splits themselves are the session's: every change of them is one of the session, and undone
-// with it. What is kept here follows from the map.
+// The splits themselves belong to the session: a change of them is an edit of the session, and is
+// undone with it. What is kept here follows from the map.
 class LayersController : public QObject {
   Q_OBJECT
 
@@ -39,11 +39,12 @@ class LayersController : public QObject {
   void setWatched(bool watched);
 
   bool layered() const;  // the session's technique
-  // In use now, as the picture has them; none for a technique without layers.
+  // The layers in use, as the picture has them; none for a technique without layers.
   std::optional<Layering> layering() const;
-  // Of the present map; null before they are found, beside the interface's thread.
+  // The second occluders of the present map, which are looked for beside the interface's thread;
+  // null before they are found.
   const Occluders* occluders() const { return occluders_ ? &*occluders_ : nullptr; }
-  // The iterations since the splits were last placed otherwise: those that were shown, and which of
+  // The iterations that were shown since the splits were last placed in another way, and which of
   // them is in use. Null where there is nothing to relax.
   const LloydRun* run() const { return run_ ? &*run_ : nullptr; }
   std::size_t shown() const { return shown_; }

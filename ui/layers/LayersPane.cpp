@@ -85,7 +85,7 @@ void LayersPane::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   const bool beside = event->size().width() >= besideWidth;
   plots_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-  // One above the other on a projector, both are as low as their axes allow.
+  // On a projector the plots stand one above the other, both as low as their axes allow.
   plots_->setStretch(0, beside ? 3 : 1);
   plots_->setStretch(1, beside ? 2 : 1);
 }

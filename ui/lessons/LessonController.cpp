@@ -13,8 +13,8 @@ LessonController::LessonController(SessionController& session, Prober& prober, Q
   connect(&session_, &SessionController::loadingChanged, this, &LessonController::refreshVeil);
 }
 
-// A step's source is read beside this thread, or could not be read. Its parameters may have been
-// adjusted since.
+// A step's source may still be read beside this thread, or it could not be read. Its parameters do
+// not count, since they may have been adjusted after it was opened.
 bool LessonController::arrived() const {
   if (!progress_ || session_.loading()) return false;
   const SceneSource &open = session_.session().source, &asked = progress_->current().session.source;
@@ -73,7 +73,7 @@ void LessonController::goTo(std::size_t step) {
   show();
 }
 
-// Veiled before the step's session is shown, so that nothing can be read on the way.
+// The veil is put on before the step's session is shown, so that no figure can be read meanwhile.
 void LessonController::show() {
   refreshVeil();
   session_.visit(progress_->current().session);

@@ -20,16 +20,16 @@ class LessonController : public QObject {
 
   // None while no lesson is read.
   const std::optional<LessonProgress>& progress() const { return progress_; }
-  // What was asked for, at this probe; none before there is one.
+  // The quantity that the step asks for, at the present probe; none while there is no probe.
   std::optional<double> measurement() const;
-  // Why it is so, in one sentence; "" where nothing explains it.
+  // Explains the measurement in one sentence; "" where nothing explains it.
   QString cause() const;
 
   void enter(const Lesson& lesson);
   void leave();  // the window's own session comes back
   void next();
   void back();
-  // The present step from its beginning: whatever was changed in it is put back.
+  // Shows the present step as at its beginning: whatever was changed in it is put back.
   void restart();
   void predict(double value);
 

@@ -68,7 +68,7 @@ QWidget* LessonPane::makePage() {
   bold.setWeight(QFont::DemiBold);
   step_->setFont(bold);
   step_->setWordWrap(true);
-  // A strip in the probe's colour: where the marked point is concerned.
+  // A strip in the probe's colour says that the text beside it is about the marked point.
   auto* strip = new QFrame;
   strip->setFixedWidth(3);
   strip->setStyleSheet(QString("background: %1;").arg(style::probe.name()));
@@ -133,7 +133,7 @@ void LessonPane::refresh() {
   const QString now = QString("%1 %2").arg(style::text(progress->lesson.name)).arg(progress->step);
   if (now != shown_) {
     scroll_->verticalScrollBar()->setValue(0);
-    // What is typed is the prediction; elsewhere digits choose techniques.
+    // Digits are typed into the prediction; without the focus there they would choose techniques.
     if (progress->veiled()) question_->awaitPrediction();
   }
   shown_ = now;

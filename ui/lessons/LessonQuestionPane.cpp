@@ -146,7 +146,7 @@ void LessonQuestionPane::refresh() {
   field_->setDecimals(decimalsFor(range));
   field_->setRange(question.low, question.high);
   field_->setSingleStep(range / 100.0);
-  // In the middle, which tells nothing.
+  // The middle of the range gives nothing away.
   if (progress->veiled()) field_->setValue((question.low + question.high) / 2.0);
   entry_->setVisible(progress->veiled());
   answer_->setVisible(!progress->veiled());

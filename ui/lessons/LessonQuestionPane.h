@@ -22,13 +22,13 @@ class LessonQuestionPane : public QFrame {
   QSlider* slider() { return slider_; }
   QDoubleSpinBox* field() { return field_; }
   QPushButton* button() { return button_; }
-  // What stands beside the prediction, once it was given; else empty.
+  // The measurement as it stands beside the prediction; empty until a prediction was given.
   QString measuredText() const;
   QString verdict() const;
 
-  // After another step, or a prediction.
+  // Must be called after another step is shown, and after a prediction.
   void refresh();
-  void awaitPrediction();  // takes the keyboard
+  void awaitPrediction();  // the field takes the keyboard
 
  signals:
   void answered();

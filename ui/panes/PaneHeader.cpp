@@ -41,8 +41,8 @@ PaneHeader::PaneHeader(const std::vector<const Technique*>& techniques, QMenu& m
       error_(new QLabel),
       menuButton_(new QToolButton),
       menu_(menu) {
-  // Panes are equally wide whatever their labels say: else a label that is laid out for its width
-  // would change it, and those beside it.
+  // Panes are equally wide whatever their labels say. Otherwise a label that is laid out for its
+  // width would change that width, and the width of the labels beside it.
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   layout_->setContentsMargins(margin, 3, margin, 3);
   layout_->setHorizontalSpacing(6);
@@ -82,7 +82,7 @@ PaneHeader::PaneHeader(const std::vector<const Technique*>& techniques, QMenu& m
           [this] { emit techniqueChosen(technique()); });
 }
 
-// What differs stands beside the technique, beneath it where there is too little room.
+// The differences stand beside the technique, or beneath it where there is too little room.
 void PaneHeader::place() {
   const QString text = differences_->text();
   const QFontMetrics metrics = fontMetrics();

@@ -1,5 +1,5 @@
-// A pane's label: its technique, to be exchanged there, what tells it from the other panes, its
-// error at the probe, and its menu.
+// A pane's label shows its technique, which can be exchanged there, what tells it from the other
+// panes, its error at the probe, and its menu.
 #pragma once
 
 #include <QMap>
@@ -29,15 +29,15 @@ class PaneHeader : public QWidget {
 
   void setTechnique(const QString& id);  // emits nothing
   QString technique() const;
-  // Why a technique cannot be chosen, by id; the others can.
+  // `refusals` says by id why a technique cannot be chosen; those that it does not list can.
   void setRefusals(const QMap<QString, QString>& refusals);
-  // "radius 12 · half"; empty where there are none.
+  // Such as "radius 12 · half"; empty where there are no differences.
   void setDifferences(const QString& text);
   QString differences() const;
-  // The pane is the one that the session's settings and the mouse are about.
+  // The active pane has the session's settings, and the mouse acts in it.
   void setActive(bool active);
   void setLinked(bool linked);  // shares its settings
-  // Nothing where there is no probe.
+  // None where there is no probe; the label then shows no error.
   void setError(const std::optional<double>& error);
   QString errorText() const;
 

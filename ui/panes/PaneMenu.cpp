@@ -9,7 +9,7 @@ struct Own {
   PaneSetting setting;
   const char* text;
 };
-// In the words of the controls.
+// The words are those of the controls.
 constexpr Own ownSettings[] = {
     {PaneSetting::Parameters, QT_TRANSLATE_NOOP("umbra::PaneMenu", "Parameters of the technique")},
     {PaneSetting::Kernel, QT_TRANSLATE_NOOP("umbra::PaneMenu", "Kernel and radius")},

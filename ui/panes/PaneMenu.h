@@ -9,12 +9,12 @@ namespace umbra {
 
 class SessionController;
 
-// Made anew each time that it opens.
+// The menu is filled anew each time that it opens.
 class PaneMenu : public QMenu {
   Q_OBJECT
 
  public:
-  // `pane` as in comparisonOf().
+  // `pane` counts as in comparisonOf().
   PaneMenu(SessionController& controller, std::size_t pane, QWidget* parent = nullptr);
 
  private:

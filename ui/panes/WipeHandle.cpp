@@ -33,7 +33,7 @@ void WipeHandle::setPosition(double position) {
 
 void WipeHandle::place() {
   const QWidget& picture = *parentWidget();
-  // At the picture's edge, half of it is still there to be taken.
+  // At the picture's edge one half of the handle is still in sight, and can be taken.
   const int middle = int(std::lround(position_ * picture.width()));
   setGeometry(middle - thickness / 2, 0, thickness, picture.height());
   raise();

@@ -5,7 +5,7 @@
 
 namespace umbra {
 
-// Lies over the picture; its parent is what shows the picture.
+// The handle lies over the picture: its parent is the widget that shows it.
 class WipeHandle : public QWidget {
   Q_OBJECT
 

@@ -30,9 +30,9 @@ struct FrameProbe {
   std::vector<Eigen::Vector3d> footprint;  // world, the outline of the region on the surface
 };
 
-// Of the frame's technique alone, with the settings that the frame was drawn with; at the pixel's
-// surface, or at another `receiver` depth. `mapOf` gives a cascade's map; `plane` is the surface
-// around the pixel. None where the pixel shows no surface that the map covers.
+// Probes the frame's technique alone, with the settings that the frame was drawn with, at the
+// pixel's surface or at another `receiver` depth. `mapOf` gives a cascade's map; `plane` is the
+// surface around the pixel. None where the pixel shows no surface that the map covers.
 std::optional<FrameProbe> probeFrame(const FrameEvidence& evidence, const FrameSettings& frame,
                                      const MapOf& mapOf, const Pixel& pixel,
                                      const std::optional<double>& receiver,

@@ -29,7 +29,4 @@ struct ProbeReport {
   std::vector<Eigen::Vector3d> footprint;  // world, the outline of the region on the surface
 };
 
-// That of technique `id`; null when the probe has none.
-const TechniqueResult* resultOf(const Probe& probe, std::string_view id);
-
 }  // namespace umbra

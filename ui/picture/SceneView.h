@@ -48,7 +48,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
 
   const LightHandle& lightHandle() const { return overlay_->handle(); }
 
-  // Of the last frame; null before the first one, and where the last one could not be drawn.
+  // The renderer of the last frame; null before the first one, and where the last one could not be
+  // drawn.
   ShadowRenderer* lastFrame() { return drawn_ ? shadow_.get() : nullptr; }
   const ShadowRenderer* lastFrame() const { return drawn_ ? shadow_.get() : nullptr; }
   std::optional<SurfacePoint> surfaceAt(const Pixel& pixel);

@@ -33,7 +33,7 @@ struct PictureSubject {
   bool operator==(const PictureSubject&) const = default;
 };
 
-// Of a frame: nothing, what its pixels read, or the maps that they read as well.
+// What is kept of a frame: nothing, what its pixels read, or the maps that they read as well.
 enum class KeptEvidence { None, Surfaces, Maps };
 
 struct TechniqueDrawing {

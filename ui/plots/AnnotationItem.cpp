@@ -97,7 +97,7 @@ void AnnotationItem::drawErrorBar(Frame& frame, const PlotError& error) const {
   frame.placer.avoid(QRectF(QPointF(from.x() - 4.0, from.y()), QPointF(to.x() + 4.0, to.y())));
 }
 
-// Along the line from its top (or its right end), on one side or the other.
+// The label stands along the line, from its top (or its right end) on, on one side or the other.
 void AnnotationItem::drawMarkerLabel(Frame& frame, const PlotMarker& marker) const {
   const QRectF& canvas = frame.canvas;
   frame.drawLabel(marker.label, colourOf(marker.colour).darker(115), false, [&](QSizeF size) {
@@ -120,7 +120,8 @@ void AnnotationItem::drawMarkerLabel(Frame& frame, const PlotMarker& marker) con
   });
 }
 
-// Beside the bar: at its end first, since that is the value read, then along it and around it.
+// The label stands beside the bar: best at its end, which is the value read, else along it or
+// around it.
 void AnnotationItem::drawErrorLabel(Frame& frame, const PlotError& error) const {
   const QRectF& canvas = frame.canvas;
   frame.drawLabel(error.label, colourOf(error.colour), true, [&](QSizeF size) {
@@ -131,7 +132,7 @@ void AnnotationItem::drawErrorLabel(Frame& frame, const PlotError& error) const 
       for (double lift : {0.5, 1.0, 0.0, 1.5, -0.5, 2.0, -1.0})
         for (double x : {right, left})
           candidates.emplace_back(QPointF(x, along - lift * size.height()), size);
-    // Above or below the bar's end, where it need not lie beside the bar.
+    // Above or below the bar's end the label need not lie beside the bar.
     const double inside =
         std::clamp(right, canvas.left(), std::max(canvas.left(), canvas.right() - size.width()));
     for (double lift : {1.5, 2.0, 2.5, -0.5, -1.0})

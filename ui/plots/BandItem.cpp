@@ -31,7 +31,7 @@ void BandItem::draw(QPainter* painter, const QwtScaleMap& xMap, const QwtScaleMa
   painter->fillRect(place, colour);
 }
 
-// Lines and not a pattern brush: files keep them as lines.
+// Draws single lines in place of a pattern brush, since files keep these as lines.
 void BandItem::hatch(QPainter* painter, const QRectF& place) const {
   QColor colour(QString::fromStdString(band_.colour));
   colour.setAlphaF(hatchShare);

@@ -16,9 +16,9 @@ class LabelPlacer {
   void avoid(const QLineF& line);
   void avoid(const QRectF& rectangle);
 
-  // The best of `candidates`, the earlier the better where they are otherwise alike, and from now
-  // on taken. An overlap with another label counts for more than any number of covered curves, and
-  // leaving the area for more than that.
+  // The best of `candidates`, which is taken from now on; of equally good ones the first. An
+  // overlap with another label is worse than any number of covered curves, and leaving the area is
+  // worse than an overlap.
   QRectF place(const std::vector<QRectF>& candidates);
 
  private:

@@ -33,7 +33,8 @@ std::vector<double> entryWidths(const QwtPlot& widget) {
   return widths;
 }
 
-// As QwtDynGridLayout fills them: the most columns whose widest entries fit beside one another.
+// Counts the rows as QwtDynGridLayout does: it takes the most columns whose widest entries fit
+// beside one another.
 std::size_t rowsWithin(const std::vector<double>& entries, double width) {
   for (std::size_t columns = entries.size(); columns > 1; --columns) {
     std::vector<double> widest(columns, 0.0);

@@ -10,9 +10,10 @@ class QwtPlot;
 namespace umbra {
 
 // Lives as a child of the plot's widget; `of` makes it once. The legend goes outside the curves,
-// beside or below them, wherever they keep more room: a matter of size alone, so that it does not
-// jump while the curves change. Where it would leave them none there is no legend, and titles that
-// find no room are shortened or left out: a technique's colour is the same in the tables beside.
+// beside or below them, wherever they keep more room. Its place depends on the widget's size alone,
+// so that it does not jump while the curves change. Where it would leave the curves no room there
+// is no legend, since a technique has the same colour in the tables beside the plot; titles that
+// find no room are shortened or left out.
 class PlotFitter final : public QObject {
  public:
   static PlotFitter& of(QwtPlot& widget);

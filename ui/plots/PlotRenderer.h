@@ -15,8 +15,9 @@ namespace umbra {
 // Replaces everything on `widget` by `plot`.
 void showPlot(QwtPlot& widget, const Plot& plot);
 
-// By extension: .svg, .pdf (text stays text) or .png; `size` in points, PNG at twice that. Needs a
-// QApplication (the "offscreen" platform serves). Throws BadOutput; nothing half-written.
+// Writes what the file's extension says: .svg, .pdf (text stays text) or .png. `size` is in points;
+// a PNG has twice as many pixels. Needs a QApplication (the "offscreen" platform will do). Throws
+// BadOutput, and leaves no half-written file.
 void exportPlot(const Plot& plot, const std::filesystem::path& file, QSize size = {720, 440});
 // What exportPlot writes as .svg.
 std::string plotSvg(const Plot& plot, QSize size = {720, 440});

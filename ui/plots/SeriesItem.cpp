@@ -54,7 +54,7 @@ void SeriesItem::drawBars(QPainter* painter, const QwtScaleMap& xMap, const QwtS
     if (series_.y[i] <= 0.0) continue;
     QRectF bar(QPointF(xMap.transform(series_.x[i]), yMap.transform(series_.y[i])),
                QPointF(xMap.transform(series_.x[i + 1]), yMap.transform(0.0)));
-    // A gap keeps neighbours apart; what is barely there stays visible.
+    // A gap keeps neighbours apart, but narrow bars stay whole, so that they can be seen.
     if (bar.width() > 4.0) bar.adjust(0.5, 0.0, -0.5, 0.0);
     if (bar.width() < 1.0) bar.adjust(-0.5, 0.0, 0.5, 0.0);
     if (bar.height() < 1.0) bar.setTop(bar.bottom() - 1.0);

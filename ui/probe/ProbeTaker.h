@@ -22,7 +22,7 @@ class ProbeTaker {
 
   // At a place of the last frame; `receiver` takes the place of the surface's own depth.
   ProbeReport at(const SurfacePlace& place, const std::optional<double>& receiver);
-  // Of the depth file; none where it has no such texel.
+  // At a texel of the depth file; none where the file has no such texel.
   std::optional<ProbeReport> at(const Pixel& texel, const std::optional<double>& receiver);
 
  private:

@@ -30,7 +30,7 @@ class RayTracedTruth : public QObject {
 
   // A scene has surfaces that rays can meet, a depth file has none.
   bool applies() const;
-  // Of the probe that was last reported; none until it is known.
+  // The ray-traced visibility of the probe that was last reported; none until it is known.
   const std::optional<double>& visibility() const { return visibility_; }
 
  signals:

@@ -21,7 +21,7 @@ class SessionController : public QObject {
   Q_OBJECT
 
  public:
-  // Throws as loadSource does.
+  // Throws what loadSource throws.
   explicit SessionController(const Session& session, QObject* parent = nullptr,
                              TechniqueCatalogue catalogue = allTechniques());
 
@@ -33,11 +33,11 @@ class SessionController : public QObject {
   const Technique& technique() const;  // the session's
   // A sentence for each parameter of the session's technique that its format limits.
   const QStringList& notices() const { return notices_; }
-  // Of the techniques that the session's format, kernel or read cannot be composed with: why, by
-  // id.
+  // Why techniques cannot be composed with the session's format, kernel or read, by the technique's
+  // id; those that can are not listed.
   QMap<QString, QString> refusals() const;
   QMap<QString, QString> refusals(const FrameSettings& frame) const;  // with other settings
-  // Of what is shown: one's own session, or a visited one.
+  // The history of the session that is shown: the person's own, or the visited one.
   QUndoStack& undoStack() { return visiting() ? visitUndo_ : undo_; }
   QUndoGroup& history() { return history_; }
   bool loading() const;
@@ -47,20 +47,22 @@ class SessionController : public QObject {
   void edit(const QString& text, const std::function<void(Session&)>& change,
             const QString& mergeKey = {});
   void endMerge() { ++mergeGroup_; }
-  // Not a step of its own: what follows from what was done, such as where the first probe is put.
+  // Changes the session without a step for undo: for what follows from an edit, such as where the
+  // first probe is put.
   void amend(const std::function<void(Session&)>& change);
 
   // Reads the session's source beside this thread; what is open stays until it is there. One step
   // for undo.
   void open(const Session& session);
-  // The same technique and frame on another source, with the light and camera that it brings.
+  // Opens another source with the same technique and frame settings, and with the light and camera
+  // that the source brings.
   void openSource(const SceneSource& source);
 
-  // Shows another session while one's own waits, with its history: a lesson's step. Read beside
-  // this thread unless its source is what is open. Changes to it have a history of their own, which
-  // ends with the visit or with the next one.
+  // Shows another session, such as a lesson's step, while the person's own waits with its history.
+  // Its source is read beside this thread unless it is open already. Changes to it have a history
+  // of their own, which ends with the visit or with the next one.
   void visit(const Session& session);
-  // Brings one's own session back as it was; at once. Nothing where none waits.
+  // Brings the person's own session back as it was, at once. Does nothing where none waits.
   void leave();
   bool visiting() const { return own_.has_value(); }
   const Session& ownSession() const { return own_ ? own_->session : document_.session; }
@@ -68,7 +70,7 @@ class SessionController : public QObject {
  signals:
   void changed(const umbra::Document& before, const umbra::Document& after);
   void loadingChanged(bool loading);
-  // One line for people: what could not be done and why. What was open stays.
+  // Says to people, in one line, what could not be done and why. What was open stays open.
   void failed(const QString& message);
 
  private:

@@ -17,10 +17,10 @@ class SourceLoader : public QObject {
   // Waits for what is still being read.
   ~SourceLoader() override;
 
-  // Ends in `loaded` or `failed`, on the thread of this object. Of several that overlap only the
-  // last one is reported.
+  // Loading ends in `loaded` or `failed`, on the thread of this object. Where several calls
+  // overlap, only the last one is reported.
   void load(const Session& session);
-  // What is being read is not wanted any more: it is never reported.
+  // Gives up what is being read: it is never reported.
   void drop();
   bool busy() const { return reported_ != asked_; }
 

@@ -59,11 +59,16 @@ CentrePane::CentrePane(SessionController& controller, SceneView& view, Prober& p
 
   connect(&controller_, &SessionController::changed, this,
           [this](const Document& before, const Document& after) {
+            if (!(before.content == after.content)) showNotices();
             refresh();
             if (!(before.session.comparison == after.session.comparison)) showReport();
           });
+  connect(&controller_, &SessionController::loadingChanged, this, [this](bool loading) {
+    if (loading) banner_->showProgress(tr("Opening …"));
+  });
   connect(comparison_, &ComparisonPanes::figuresChanged, this, &CentrePane::showReport);
   refresh();
+  showNotices();
 }
 
 QWidget* CentrePane::makeDepthPage() {
@@ -118,7 +123,19 @@ void CentrePane::refresh() {
   receiverText_->setText(QString::number(receiver, 'f', 4));
 }
 
-// In a wipe, that of the side on which the probe lies.
+// Says what the opened file has that the window does not show.
+void CentrePane::showNotices() {
+  QStringList lines;
+  for (const std::string& notice : controller_.document().content.notices)
+    lines << style::text(notice);
+  if (lines.isEmpty())
+    banner_->dismiss();
+  else
+    banner_->showNotice(lines.join("\n"));
+}
+
+// The pane whose figures stand beside the probe: in a wipe that of the side on which the probe
+// lies, else the active one.
 std::size_t CentrePane::paneAtProbe() const {
   const Comparison& comparison = controller_.session().comparison;
   const auto& report = prober_.behindVeil();
@@ -142,7 +159,7 @@ void CentrePane::showReport() {
              : tr("Point at a shadow to take it apart. Click to hold the point, K keeps it."));
   const Session& session = controller_.session();
   const auto& figures = comparison_->figures(paneAtProbe());
-  // The labels of many small panes say it all.
+  // In a grid the labels of the panes say the figures already.
   const bool said = session.comparison.mode == ComparisonMode::Grid && prober_.veil().isEmpty();
   if (report && !prober_.veil().isEmpty())
     return view_.setReport(report, tr("Predict first"), tr("then see what comes out here"), false);

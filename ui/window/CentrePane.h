@@ -35,6 +35,7 @@ class CentrePane : public QWidget {
  private:
   QWidget* makeDepthPage();
   void refresh();
+  void showNotices();
   void showReport();
   std::size_t paneAtProbe() const;
 

@@ -78,7 +78,7 @@ ControlPane::ControlPane(SessionController& controller, Prober& prober, SceneVie
   refresh();
 }
 
-// Empty where nothing is compared.
+// Says which panes the controls are about; empty where nothing is compared.
 QString ControlPane::scope() const {
   const Session& session = controller_.session();
   const Comparison comparison = comparisonOf(session);

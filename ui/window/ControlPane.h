@@ -1,4 +1,4 @@
-// What one sets: the technique, its parameters, filter and map.
+// The controls: the technique, its parameters, filter and map.
 #pragma once
 
 #include <QScrollArea>

@@ -1,16 +1,9 @@
 #include "ui/window/MainWindow.h"
 
-#include <QActionGroup>
 #include <QCloseEvent>
-#include <QDockWidget>
-#include <QLabel>
-#include <QStatusBar>
-#include <QToolButton>
-#include <exception>
 
 #include "ui/lessons/LessonController.h"
 #include "ui/panes/ComparisonPanes.h"
-#include "ui/picture/FrameFigures.h"
 #include "ui/picture/ProbeMarks.h"
 #include "ui/picture/SceneView.h"
 #include "ui/probe/EvidencePanes.h"
@@ -22,10 +15,23 @@
 #include "ui/window/CentrePane.h"
 #include "ui/window/ControlPane.h"
 #include "ui/window/MessageBanner.h"
-#include "ui/window/SceneForm.h"
+#include "ui/window/SessionPresenter.h"
+#include "ui/window/StatusLine.h"
+#include "ui/window/docks/LessonVisit.h"
+#include "ui/window/docks/WatchedPanes.h"
+#include "ui/window/docks/WindowDocks.h"
+#include "ui/window/files/BleedingExport.h"
+#include "ui/window/files/FileActions.h"
+#include "ui/window/files/FileDialogs.h"
+#include "ui/window/files/SavedSession.h"
+#include "ui/window/files/TableExport.h"
+#include "ui/window/menus/WindowMenus.h"
+#include "ui/window/menus/WindowToolBar.h"
 
 namespace umbra {
 
+// The parts hear of a change in the order in which they are made here: the picture after the panes,
+// the status line after the picture.
 MainWindow::MainWindow(const Session& session, QWidget* parent)
     : QMainWindow(parent),
       controller_(session),
@@ -36,169 +42,134 @@ MainWindow::MainWindow(const Session& session, QWidget* parent)
       centre_(new CentrePane(controller_, *view_, *prober_)),
       kept_(new KeptProbes(controller_, *view_, *prober_, this)),
       keptPane_(new KeptProbesPane(*kept_, controller_, *prober_)),
-      lessons_(new LessonController(controller_, *prober_, this)),
-      modes_(new QActionGroup(this)),
-      techniques_(new QActionGroup(this)),
-      sceneText_(new QLabel),
-      frameText_(new QLabel),
-      mapText_(new QLabel) {
+      lessons_(new LessonController(controller_, *prober_, this)) {
   setObjectName("umbrascope");
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
   setCentralWidget(centre_);
   makeDocks();
-  makeLessonDock();
-  makeSurfaceExport();
-  makeActions();
-  sceneText_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  statusBar()->addWidget(sceneText_, 1);
-  for (QLabel* label : {frameText_, mapText_}) {
-    label->setFont(style::figures(label->font()));
-    statusBar()->addPermanentWidget(label);
-  }
-  connectParts();
-  view_->showDocument(controller_.document(), controller_.technique());
+  makeFileActions();
+  makeMenus();
+  presenter_ = new SessionPresenter(controller_, *view_, *prober_, *evidence_, this);
+  status_ = new StatusLine(*statusBar(), controller_, *view_);
+  connectMessages();
+  connect(&controller_, &SessionController::changed, this, &MainWindow::showTitle);
+  connect(kept_, &KeptProbes::changed, this, [this] { view_->setMarks(kept_->marks()); });
+  connect(files_, &FileActions::lessonOpened, visit_, &LessonVisit::enter);
+  connect(visit_, &LessonVisit::left, presenter_, &SessionPresenter::keepProbe);
+  showTitle();
   view_->setMarks(kept_->marks());
-  refresh();
-  showNotices();
-  // No frame calls for the probe of a depth file; its panes have their sizes once this returned.
-  if (controller_.document().content.depth)
-    QMetaObject::invokeMethod(prober_, &Prober::refresh, Qt::QueuedConnection);
+  presenter_->start();
 }
 
-// The panes end before what they listen to.
+// The panes are children of the window and outlive the controller, which is a member: they must not
+// hear it any more.
 MainWindow::~MainWindow() {
   disconnect(&controller_, nullptr, nullptr, nullptr);
 }
 
-void MainWindow::connectParts() {
-  connect(&controller_, &SessionController::changed, this,
-          [this](const Document& before, const Document& after) {
-            if (!(before.content == after.content)) {
-              showNotices();
-              probeNextFrame_ = after.content.scene != nullptr;
-            }
-            attempt([&] { view_->showDocument(after, controller_.technique()); });
-            if (!view_->stale()) probeNextFrame_ = false;  // no frame follows
-            // What needs a frame waits for the one that follows.
-            if (after.content.depth || view_->upToDate()) evidence_->refreshMap();
-            refresh();
-            if (view_->upToDate()) prober_->refresh();
-          });
-  connect(&controller_, &SessionController::loadingChanged, this, [this](bool loading) {
-    if (loading) centre_->banner().showProgress(tr("Opening …"));
-  });
-  connect(&controller_, &SessionController::failed, this, &MainWindow::showError);
-  connect(view_, &SceneView::failed, this, &MainWindow::showError);
-  connect(prober_, &Prober::failed, this, &MainWindow::showError);
-  connect(&centre_->comparison(), &ComparisonPanes::failed, this, &MainWindow::showError);
-  connect(&controls_->reduction(), &ReductionTools::failed, this, &MainWindow::showError);
-  connect(evidence_, &EvidencePanes::failed, this, &MainWindow::showError);
-  connect(evidence_, &EvidencePanes::message, statusBar(),
-          [this](const QString& text) { statusBar()->showMessage(text, 6000); });
-  connect(kept_, &KeptProbes::changed, this, [this] { view_->setMarks(kept_->marks()); });
-  connect(kept_, &KeptProbes::message, statusBar(),
-          [this](const QString& text) { statusBar()->showMessage(text, 6000); });
-  connect(view_, &SceneView::frameDrawn, this, &MainWindow::afterFrame);
-  connect(view_, &SceneView::cameraMoved, this, [this](const Camera& camera) {
-    controller_.edit(
-        tr("Move camera"), [&](Session& s) { s.camera = camera; }, "camera");
-  });
-  connect(view_, &SceneView::lightDragged, this, [this](const Light& light) {
-    controller_.edit(
-        tr("Move light"), [&](Session& s) { s.light = light; }, "light");
-  });
-  connect(view_, &SceneView::lightDragFinished, this, [this] { controller_.endMerge(); });
+void MainWindow::makeDocks() {
+  watched_ = new WatchedPanes(controller_, *view_, *prober_, *evidence_, this);
+  docks_ = new WindowDocks(*this, *controls_, *evidence_, *keptPane_, *watched_);
+  visit_ = new LessonVisit(*this, *docks_, controller_, *view_, *prober_, *lessons_);
 }
 
-void MainWindow::afterFrame() {
-  showFrameFigures();
-  if (!probeNextFrame_ || view_->stale()) return;
-  probeNextFrame_ = false;
-  // A newcomer sees at once what the program is for.
-  if (!controller_.session().probe) prober_->startAtWorstBleeding();
+void MainWindow::makeFileActions() {
+  dialogs_ = new FileDialogs(*this);
+  files_ = new FileActions(*dialogs_, controller_, *view_, *prober_, centre_->comparison(), this);
+  tables_ = new TableExport(*dialogs_, *prober_, evidence_->table(), *keptPane_, this);
+  bleeding_ = new BleedingExport(*this, *dialogs_, controller_, *view_, *prober_);
 }
 
-void MainWindow::refresh() {
-  const Session& session = controller_.session();
-  const QString title = QString::fromStdString(titleOf(session.source));
-  setWindowTitle(tr("%1 – Umbrascope").arg(title));
-  sceneButton_->setText(tr("Scene: %1")
-                            .arg(session.source.kind == SourceKind::Catalogue
-                                     ? style::text(session.source.name)
-                                     : title));
-  adjustButton_->setEnabled(sceneForm_->adjustable());
-  const Scene* scene = controller_.document().content.scene.get();
-  const bool onScene = scene != nullptr;
-  // What a storage format does to a parameter matters more than where one is.
-  const bool figure = onScene && !scene->figure.empty();
-  sceneText_->setText(!controller_.notices().isEmpty() ? controller_.notices().join("  ")
-                      : figure ? title + QStringLiteral(" · ") + style::text(scene->figure)
-                               : title);
-  for (QAction* action : modes_->actions()) {
-    action->setChecked(action->data().toInt() == int(session.frame.view));
-    action->setEnabled(onScene);
-  }
-  const QMap<QString, QString> refusals = controller_.refusals();
-  for (QAction* action : techniques_->actions()) {
-    const bool current = action->data().toString() == style::text(session.technique);
-    const QString refusal = refusals.value(action->data().toString());
-    action->setChecked(current);
-    action->setEnabled(current || refusal.isEmpty());
-    action->setToolTip(refusal);
-  }
-  refreshCompareMenu();
-  showFrameFigures();
+void MainWindow::makeMenus() {
+  auto* menus = new WindowMenus(*this, {controller_, *prober_, *kept_, *evidence_, *files_,
+                                        *tables_, *bleeding_, *docks_, *lessons_, *visit_});
+  addToolBar(new WindowToolBar(controller_, *menus, this));
 }
 
-void MainWindow::showFrameFigures() {
-  const Session& session = controller_.session();
-  if (const DepthMap* depth = controller_.document().content.depth.get()) {
-    frameText_->clear();
-    mapText_->setText(tr("%1 × %2 texels").arg(depth->width()).arg(depth->height()));
-    return;
-  }
-  const auto times = view_->lastFrame() ? view_->lastFrame()->passTimes() : std::vector<PassTime>{};
-  frameText_->setText(passTimesText(times));
-  mapText_->setText(mapText(session.frame, controller_.technique()));
+void MainWindow::connectMessages() {
+  MessageBanner* banner = &centre_->banner();
+  const auto showErrorsOf = [banner](auto* part) {
+    using Part = std::remove_pointer_t<decltype(part)>;
+    connect(part, &Part::failed, banner, &MessageBanner::showError);
+  };
+  showErrorsOf(&controller_);
+  showErrorsOf(view_);
+  showErrorsOf(prober_);
+  showErrorsOf(&centre_->comparison());
+  showErrorsOf(&controls_->reduction());
+  showErrorsOf(evidence_);
+  showErrorsOf(watched_);
+  showErrorsOf(dialogs_);
+  showErrorsOf(files_);
+  showErrorsOf(tables_);
+  showErrorsOf(bleeding_);
+  showErrorsOf(presenter_);
+  connect(bleeding_, &BleedingExport::written, banner, &MessageBanner::showNotice);
+  const auto showMessagesOf = [this](auto* part) {
+    using Part = std::remove_pointer_t<decltype(part)>;
+    connect(part, &Part::message, status_, &StatusLine::showMessage);
+  };
+  showMessagesOf(evidence_);
+  showMessagesOf(kept_);
+  showMessagesOf(watched_);
+  showMessagesOf(dialogs_);
+  showMessagesOf(bleeding_);
 }
 
-// Of what was opened: what its file had that is not shown.
-void MainWindow::showNotices() {
-  QStringList lines;
-  for (const std::string& notice : controller_.document().content.notices)
-    lines << style::text(notice);
-  if (lines.isEmpty())
-    centre_->banner().dismiss();
-  else
-    centre_->banner().showNotice(lines.join("\n"));
+void MainWindow::showTitle() {
+  setWindowTitle(tr("%1 – Umbrascope").arg(style::text(titleOf(controller_.session().source))));
 }
 
-void MainWindow::showError(const QString& text) {
-  centre_->banner().showError(text);
+LessonPane& MainWindow::lessonPane() {
+  return visit_->pane();
+}
+
+SurfaceExport& MainWindow::surfaces() {
+  return bleeding_->work();
+}
+
+const std::vector<QDockWidget*>& MainWindow::docks() const {
+  return docks_->all();
 }
 
 Session MainWindow::sessionToSave() const {
-  Session session = controller_.session();
-  if (!controller_.document().content.scene) return session;
-  const QSize size = view_->pixels();
-  const auto& report = prober_->behindVeil();
-  if (size.isEmpty()) return session;
-  // The report may be of a picture of another size still.
-  if (session.probe && report && report->pinned && report->point)
-    session.probe = view_->pixelOf(*report->point).value_or(report->pixel);
-  if (!session.probe || (report && report->pinned)) {
-    session.width = size.width();
-    session.height = size.height();
-  }
-  return session;
+  return umbra::sessionToSave(controller_, *view_, *prober_);
 }
 
 Session MainWindow::sessionToRemember() const {
-  return controller_.visiting() ? controller_.ownSession() : sessionToSave();
+  return umbra::sessionToRemember(controller_, *view_, *prober_);
+}
+
+void MainWindow::openFile(const std::filesystem::path& file) {
+  files_->open(file);
+}
+
+void MainWindow::saveSession(const std::filesystem::path& file) {
+  files_->saveSession(file);
+}
+
+void MainWindow::savePicture(const std::filesystem::path& file) {
+  files_->savePicture(file);
+}
+
+void MainWindow::exportBleeding(const std::filesystem::path& file) {
+  bleeding_->start(file);
+}
+
+void MainWindow::enterLesson(const Lesson& lesson) {
+  visit_->enter(lesson);
+}
+
+void MainWindow::leaveLesson() {
+  visit_->leave();
+}
+
+void MainWindow::resetLayout() {
+  docks_->reset();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (lessons_->progress()) restoreOwnLayout();  // the next window begins without a lesson
+  if (lessons_->progress()) visit_->restoreLayout();  // the next window begins without a lesson
   emit closing();
   QMainWindow::closeEvent(event);
 }

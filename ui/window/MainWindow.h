@@ -1,33 +1,35 @@
-// The window: puts the panes together and connects them; holds no state but what is open.
+// The window: puts its parts together and connects them; holds no state but what is open.
 #pragma once
 
 #include <QMainWindow>
 #include <filesystem>
-#include <optional>
 #include <vector>
 
 #include "ui/session/SessionController.h"
 
-class QActionGroup;
 class QDockWidget;
-class QLabel;
-class QMenu;
-class QToolButton;
 
 namespace umbra {
 
+class BleedingExport;
 class CentrePane;
 class ControlPane;
 class EvidencePanes;
+class FileActions;
+class FileDialogs;
 class KeptProbes;
 class KeptProbesPane;
 class LessonController;
 class LessonPane;
-class PlotPane;
+class LessonVisit;
 class Prober;
-class SceneForm;
 class SceneView;
+class SessionPresenter;
+class StatusLine;
 class SurfaceExport;
+class TableExport;
+class WatchedPanes;
+class WindowDocks;
 struct Lesson;
 
 class MainWindow : public QMainWindow {
@@ -47,32 +49,23 @@ class MainWindow : public QMainWindow {
   KeptProbes& keptProbes() { return *kept_; }
   KeptProbesPane& keptProbesPane() { return *keptPane_; }
   LessonController& lessons() { return *lessons_; }
-  LessonPane& lessonPane() { return *lessonPane_; }
-  const std::vector<QDockWidget*>& docks() const { return docks_; }
+  LessonPane& lessonPane();
+  SurfaceExport& surfaces();
+  const std::vector<QDockWidget*>& docks() const;
 
-  // What a saved session holds: the picture's size and the pinned pixel as they are now.
+  // See ui/window/files/SavedSession.h.
   Session sessionToSave() const;
-  // One's own, also while a lesson shows another.
   Session sessionToRemember() const;
 
-  // By extension: a mesh, a depth map (.exr), a session or a lesson (.json); read beside this
-  // thread.
+  // See FileActions and BleedingExport.
   void openFile(const std::filesystem::path& file);
-  // The window's own session waits until the lesson is left.
-  void enterLesson(const Lesson& lesson);
-  // Throw BadOutput.
   void saveSession(const std::filesystem::path& file);
-  void savePicture(const std::filesystem::path& file);  // PNG, as shown with the probe
-  // The session's technique's error on the scene's mesh, .vtp or .ply; written beside this thread.
-  // Throws where the session has no such thing.
+  void savePicture(const std::filesystem::path& file);
   void exportBleeding(const std::filesystem::path& file);
-  SurfaceExport& surfaces() { return *surfaces_; }
 
- public slots:
-  void showError(const QString& text);
-  void showNotices();
-  void resetLayout();
+  void enterLesson(const Lesson& lesson);
   void leaveLesson();
+  void resetLayout();
 
  signals:
   void closing();
@@ -81,51 +74,11 @@ class MainWindow : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
 
  private:
-  // MainWindow.cpp
-  void connectParts();
-  void refresh();
-  void showFrameFigures();
-  void afterFrame();
-  void restoreOwnLayout();  // as it was before the lesson
-  // MainWindowDocks.cpp
   void makeDocks();
-  void makeWatchedDocks();
-  QDockWidget* addDock(const QString& title, const QString& name, QWidget* content,
-                       Qt::DockWidgetArea area);
-  // MainWindowMenus.cpp
-  void makeActions();
-  void makeFileMenu();
-  void makeEditMenu();
-  void makeViewMenu();
-  void makeTechniqueMenu();
-  void makeProbeMenu();
-  void makeWindowMenu();
-  void makeHelpMenu();
-  void makeToolBar();
-  QMenu* makeSceneMenu();
-  QMenu* makeExportMenu();
-  QAction* addAction(QMenu& menu, const QString& text, const QKeySequence& key,
-                     const std::function<void()>& run);
-  // MainWindowLessons.cpp
-  void makeLessonDock();
-  void makeLessonsMenu();
-  void placeLessonDock();
-  // MainWindowCompare.cpp
-  void makeCompareMenu(QMenu& view);
-  void refreshCompareMenu();
-  // MainWindowSurfaces.cpp
-  void makeSurfaceExport();
-  void askToExportBleeding();
-  QString whyNoSurfaces() const;
-  // MainWindowFiles.cpp
-  void askToOpen(const QString& title, const QString& filter);
-  void askToSaveSession();
-  void askToSavePicture();
-  void askToSaveTable();
-  void askToSaveKeptProbes();
-  std::optional<std::filesystem::path> askWhere(const QString& title, const QString& name,
-                                                const QString& filter);
-  void attempt(const std::function<void()>& work);
+  void makeFileActions();
+  void makeMenus();
+  void connectMessages();
+  void showTitle();
 
   SessionController controller_;
   SceneView* view_;
@@ -136,21 +89,15 @@ class MainWindow : public QMainWindow {
   KeptProbes* kept_;
   KeptProbesPane* keptPane_;
   LessonController* lessons_;
-  LessonPane* lessonPane_ = nullptr;
-  SurfaceExport* surfaces_ = nullptr;
-  // What waits beside the session while a lesson is read: the docks and where the probe is held.
-  QByteArray layoutBefore_;
-  int controlsWidth_ = 0;
-  std::optional<Eigen::Vector3d> pointBefore_;
-  QDockWidget* lessonDock_ = nullptr;  // not among docks_: it is there during a lesson alone
-  std::vector<QDockWidget*> docks_;
-  QActionGroup *modes_, *techniques_, *comparisons_ = nullptr;
-  QAction* duplicate_ = nullptr;
-  QToolButton *sceneButton_ = nullptr, *adjustButton_ = nullptr;
-  SceneForm* sceneForm_ = nullptr;
-  QMenu *sceneMenu_ = nullptr, *exportMenu_ = nullptr;
-  QLabel *sceneText_, *frameText_, *mapText_;
-  bool probeNextFrame_ = true;  // a scene was opened and nobody has pointed at anything yet
+  WatchedPanes* watched_ = nullptr;
+  WindowDocks* docks_ = nullptr;
+  LessonVisit* visit_ = nullptr;
+  FileDialogs* dialogs_ = nullptr;
+  FileActions* files_ = nullptr;
+  TableExport* tables_ = nullptr;
+  BleedingExport* bleeding_ = nullptr;
+  SessionPresenter* presenter_ = nullptr;
+  StatusLine* status_ = nullptr;
 };
 
 }  // namespace umbra

@@ -13,7 +13,7 @@
 namespace umbra {
 namespace {
 
-// What the passes need; asked before a window stands there with nothing in it.
+// The render passes need OpenGL 4.5. This is asked before a window stands there with nothing in it.
 void requireOpenGL() {
   QOpenGLContext context;
   const bool made = context.create();

@@ -17,10 +17,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Raised when docks are added or renamed: an older arrangement is then not put back.
+// This number is raised when docks are added or renamed, so that an older arrangement is not put
+// back.
 constexpr int arrangement = 2;
 
-// Beside the settings: a session file like any other.
+// The last session is a session file like any other; it lies beside the settings.
 fs::path sessionFile() {
   const QString folder = QFileInfo(QSettings().fileName()).absolutePath();
   return fs::path((folder + "/last-session.json").toStdU16String());

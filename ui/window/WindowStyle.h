@@ -5,7 +5,8 @@ class QApplication;
 
 namespace umbra {
 
-// Before the application is made: fixes its name and how OpenGL contexts are made.
+// Must be called before the application is made: it fixes its name and how OpenGL contexts are
+// made.
 void prepareApplication();
 
 void applyStyle(QApplication& application);

@@ -13,7 +13,7 @@ void ElidedLabel::paintEvent(QPaintEvent*) {
   painter.setPen(palette().color(QPalette::WindowText));
   const QString shown = fontMetrics().elidedText(text(), Qt::ElideRight, width());
   painter.drawText(rect(), int(alignment() | Qt::AlignVCenter), shown);
-  // The whole of it is in the tool tip where it is cut.
+  // Where the text is cut, the tool tip has all of it.
   setToolTip(shown == text() ? QString() : text());
 }
 

@@ -43,7 +43,8 @@ QString label(std::string_view kebabCase) {
 }
 
 QString signedFigure(double value) {
-  // What rounds to zero is written as +0.000: a sign there would say more than is known.
+  // A value that rounds to zero is written as +0.000: a minus there would say more than the digits
+  // do.
   const QString digits = QString::number(std::abs(value), 'f', 3);
   const bool negative = value < 0.0 && digits != "0.000";
   return (negative ? QString(QChar(0x2212)) : QString("+")) + digits;

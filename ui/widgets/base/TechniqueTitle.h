@@ -7,7 +7,7 @@
 
 namespace umbra {
 
-// "Variance (VSM)" is VSM to those who have read its title in the list.
+// The abbreviation alone, "VSM" of "Variance (VSM)": the list of techniques shows the whole title.
 QString shortTitle(const Technique& technique);
 
 }  // namespace umbra

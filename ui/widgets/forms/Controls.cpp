@@ -129,7 +129,7 @@ void NumberControl::setValue(double value) {
   box_->setRange(std::min(scale_.low, value), std::max(scale_.high, value));
   if (box_->value() != value) box_->setValue(value);
   box_->setSuffix(suffixOf(unit_, value));
-  // While it is dragged the slider is where the hand is.
+  // While the slider is dragged, it stays under the pointer.
   if (!slider_->isSliderDown()) slider_->setValue(scale_.positionOf(value));
 }
 

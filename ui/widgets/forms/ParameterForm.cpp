@@ -41,7 +41,7 @@ ParameterForm::~ParameterForm() = default;
 
 void ParameterForm::setTechnique(const Technique& technique) {
   const bool same = shown_ && shown_->info().id == technique.info().id;
-  // The rows are bound to the copy before: it has to outlive their last look at it.
+  // The rows still refer to the earlier copy, which must therefore live until they are bound anew.
   const std::unique_ptr<Technique> before = std::move(shown_);
   shown_ = technique.clone();
   const std::vector<Parameter> parameters = shown_->parameters();

@@ -32,7 +32,7 @@ class ParameterForm : public Card {
   void setNotices(const QStringList& notices);
 
  signals:
-  // A value within range, at once, while a slider moves too.
+  // Emitted with a value within the range at every change, also while a slider moves.
   void parameterChanged(const QString& name, const umbra::ParameterValue& value);
   // A slider was let go or a box was left: the next change is a new step for undo.
   void editingFinished(const QString& name);

@@ -33,7 +33,7 @@ SliderScale scaleOf(const Parameter& parameter) {
           std::holds_alternative<int>(parameter.defaultValue)};
 }
 
-// Reals and integers.
+// The row of a real number or an integer.
 class NumberRow : public ParameterRow {
  public:
   NumberRow(const Parameter& shown, QWidget* parent)
@@ -81,7 +81,8 @@ class ChoiceRow : public ParameterRow {
   QComboBox* box_;
 };
 
-// Numbers separated by ':', as on the command line. A wrong text is explained and goes nowhere.
+// The row of a list of numbers, separated by ':' as on the command line. A wrong text is explained
+// and changes nothing.
 class ListRow : public ParameterRow {
  public:
   ListRow(const Parameter& shown, QWidget* parent)
@@ -113,7 +114,7 @@ class ListRow : public ParameterRow {
   }
 
  private:
-  // The value of the text as it stands; what the row is bound to is left as it was.
+  // The value of the present text; the technique that the row is bound to does not change.
   std::optional<ParameterValue> check() {
     const ParameterValue before = parameter().get();
     try {

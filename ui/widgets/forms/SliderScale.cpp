@@ -8,7 +8,7 @@
 namespace umbra {
 namespace {
 
-// Through text, since 0.3 is not a whole multiple of 0.1 in binary.
+// Rounds through text, since 0.3 is not a whole multiple of 0.1 in binary.
 double roundedTo(double value, const char* format, int digits) {
   char buffer[64];
   std::snprintf(buffer, sizeof buffer, format, digits, value);

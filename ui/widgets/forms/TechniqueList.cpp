@@ -108,7 +108,8 @@ void TechniqueList::setRefusals(const QMap<QString, QString>& reasons) {
     const QString reason = reasons.value(item->data(IdRole).toString());
     item->setData(RefusedRole, !reason.isEmpty());
     item->setToolTip(reason.isEmpty() ? item->data(AboutRole).toString() : reason);
-    // The current one, of a session from elsewhere, stays what it is.
+    // The current technique stays choosable: a session that was read from a file may combine it
+    // with what cannot be chosen here.
     const bool choosable = reason.isEmpty() || item == list_->currentItem();
     item->setFlags(choosable ? Qt::ItemIsEnabled | Qt::ItemIsSelectable : Qt::NoItemFlags);
   }

@@ -30,7 +30,7 @@ class TechniqueList : public Card {
   void setRefusals(const QMap<QString, QString>& reasons);
 
  signals:
-  // By click or arrow key, never by setCurrent.
+  // Emitted after a click or an arrow key, never by setCurrent.
   void techniqueChosen(const QString& id);
 
  private:

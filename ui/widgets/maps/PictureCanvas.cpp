@@ -112,7 +112,8 @@ void PictureCanvas::drawPicture(QPainter& painter) {
   const QRectF target(toWidget({0.0, 0.0}), QSizeF(picture_.size()) * scale());
   const double ratio = devicePixelRatioF();
   if (scale() * ratio < 1.0) {
-    // Averaged, so that no thin error is lost between two pixels of the screen.
+    // The picture is averaged as it shrinks, so that no thin error is lost between two pixels of
+    // the screen.
     const QSize size = (target.size() * ratio).toSize().expandedTo({1, 1});
     if (shrunk_.size() != size)
       shrunk_ = picture_.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
@@ -205,7 +206,7 @@ void PictureCanvas::leaveEvent(QEvent*) {
   emit left();
 }
 
-// Escape ends a drag; else it is somebody else's.
+// Escape ends a drag; without one it is left to others.
 bool PictureCanvas::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride &&
       static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape && pressed_)

@@ -19,7 +19,7 @@ class PictureCanvas : public QWidget {
   // Without a picture `hint` stands in its place.
   void setPicture(const QImage& picture);
   void setHint(const QString& hint);
-  // A faded picture is none that counts now. The note lies over its top.
+  // A picture that no longer counts is faded. The note lies over its top.
   void setFaded(bool faded);
   void setNote(const QString& note);
   // Both in the picture's coordinates; a ring about a pixel's middle, and a closed outline.

@@ -5,44 +5,47 @@
 #include <QPointF>
 #include <QWidget>
 #include <optional>
-#include <vector>
 
 #include "filters/core/maps/Image.h"
 #include "filters/core/maps/Region.h"
-#include "ui/widgets/maps/ColourMap.h"
+#include "ui/widgets/maps/TexelColours.h"
+#include "ui/widgets/maps/TexelZoom.h"
 
 namespace umbra {
 
-// Texel (x, y) covers [x, x+1) × [y, y+1) of the map; x to the right, y down, from 0.
+// The wheel zooms, a drag moves the map, a click names a texel, a double click fits.
 class ShadowMapCanvas : public QWidget {
   Q_OBJECT
 
  public:
   explicit ShadowMapCanvas(QWidget* parent = nullptr);
 
-  // One channel; NaN and infinities are drawn apart. The zoom stays where the size does.
+  // Shows one channel. NaN and infinities have a colour of their own. Where the map's size is the
+  // same, the zoom stays.
   void setValues(Image<float> values);
   void setColourMap(ColourMap map);
-  ColourMap colourMap() const { return colourMap_; }
+  ColourMap colourMap() const { return colours_.colourMap(); }
   void setRegion(const std::optional<Region>& region);
 
-  // The whole map; and the region at about two thirds of the canvas (fit where there is none).
+  // fit shows the whole map; showRegion makes the region fill about two thirds of the canvas, and
+  // fits where there is none.
   void fit();
   void showRegion();
   // Magnifies `factor` times about a point of the widget, which stays over its texel.
   void zoomAbout(const QPointF& point, double factor);
 
-  // Finite values of the whole map; 0 … 1 where there are none.
-  double low() const { return low_; }
-  double high() const { return high_; }
-  bool empty() const { return values_.empty(); }
-  float valueAt(const QPoint& texel) const { return values_(texel.x(), texel.y()); }
+  // The smallest and largest finite value of the whole map; 0 and 1 where there is none.
+  double low() const { return colours_.low(); }
+  double high() const { return colours_.high(); }
+  bool empty() const { return colours_.values().empty(); }
+  float valueAt(const QPoint& texel) const { return colours_.values()(texel.x(), texel.y()); }
 
   // Widget pixels per texel.
-  double scale() const { return scale_; }
-  std::optional<QPoint> texelAt(const QPointF& point) const;
-  QRectF rectOfTexels(const QRect& texels) const;  // in widget pixels
-  QRect regionTexels() const;                      // empty without a region
+  double scale() const { return zoom_.scale(); }
+  std::optional<QPoint> texelAt(const QPointF& point) const { return zoom_.texelAt(point); }
+  // In widget pixels.
+  QRectF rectOfTexels(const QRect& texels) const { return zoom_.rectOfTexels(texels); }
+  QRect regionTexels() const;  // empty without a region
 
   QSize sizeHint() const override { return {240, 220}; }
   QSize minimumSizeHint() const override { return {80, 80}; }
@@ -63,25 +66,17 @@ class ShadowMapCanvas : public QWidget {
   void leaveEvent(QEvent* event) override;
 
  private:
-  void setView(double scale, const QPointF& centre);  // centre in texels
-  void renderVisible();
+  void redraw();
   QFont figureFont() const;
   bool showsFigures() const;  // the texels are large enough for their values
   void drawGrid(QPainter& painter) const;
   void drawValues(QPainter& painter) const;
   void drawRegion(QPainter& painter) const;
-  QRect visibleTexels() const;
 
-  Image<float> values_;
-  std::vector<unsigned char> shades_;  // values_ as entries of the colour table
-  float low_ = 0.0F, high_ = 1.0F;
-  ColourMap colourMap_ = ColourMap::Viridis;
+  TexelColours colours_;
+  TexelZoom zoom_;
   std::optional<Region> region_;
-
-  double scale_ = 1.0;  // widget pixels per texel
-  QPointF centre_;      // of the widget, in texels
-  bool fitted_ = true;  // the whole map follows the widget's size
-  QImage visible_;      // what paintEvent shows, in device pixels
+  QImage visible_;  // what paintEvent shows, in device pixels
   bool visibleStale_ = true;
   std::optional<QPointF> dragFrom_;
   bool dragged_ = false;

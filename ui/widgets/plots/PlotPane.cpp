@@ -124,7 +124,7 @@ void PlotPane::saveAs() {
   }
 }
 
-// Of the draggable markers: the receiver is in the probe's colour wherever it is shown.
+// Whether a draggable marker is the receiver's, which has the probe's colour wherever it is shown.
 bool PlotPane::isReceiver(int marker) const {
   return plot_->markers[std::size_t(marker)].colour == probeColour;
 }

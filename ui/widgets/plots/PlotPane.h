@@ -26,7 +26,8 @@ class PlotPane : public Card {
   const std::optional<Plot>& plot() const { return plot_; }
   QwtPlot* canvas() { return widget_; }
 
-  // By extension: .svg, .pdf, .png or .csv. Throws BadOutput; BadCommandLine for another one.
+  // Writes what the file's extension says: .svg, .pdf, .png or .csv. Throws BadOutput;
+  // BadCommandLine for another extension.
   void save(const std::filesystem::path& file) const;
 
  public slots:
@@ -41,7 +42,7 @@ class PlotPane : public Card {
   // A draggable marker, counted in the plot's list, is dragged to this x, in [0,1].
   void markerDragged(int marker, double x);
   void markerDragFinished();
-  // One line for the status bar after saveAs: that it is done, or why not.
+  // Says in one line for the status bar, after saveAs, that the file is written, or why it is not.
   void message(const QString& text);
 
  protected:

@@ -198,7 +198,7 @@ void ErrorTable::copy() const {
   if (frame_) QGuiApplication::clipboard()->setText(asText());
 }
 
-// Else the window's own shortcut would copy a plot.
+// The key must be taken here, or the window's own shortcut would copy a plot.
 bool ErrorTable::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride &&
       static_cast<QKeyEvent*>(event)->matches(QKeySequence::Copy))

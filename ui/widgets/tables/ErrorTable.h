@@ -23,7 +23,7 @@ class ErrorTable : public QTableWidget {
   void setSums(const QString& technique, const ErrorSums& frame,
                const std::optional<ErrorSums>& selection);
   void clearSums();
-  // Figures that do not count now.
+  // Fades figures that no longer count.
   void setFaded(bool faded);
   void setPart(std::optional<ErrorPart> part);
 
@@ -36,7 +36,7 @@ class ErrorTable : public QTableWidget {
   void copy() const;
 
  signals:
-  // By click or arrow key, never by setPart.
+  // Emitted after a click or an arrow key, never by setPart.
   void partChosen(std::optional<umbra::ErrorPart> part);
 
  protected:

@@ -44,7 +44,7 @@ class KeptProbesModel : public QAbstractTableModel {
   Qt::ItemFlags flags(const QModelIndex& index) const override;
   QVariant data(const QModelIndex& index, int role) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-  // Of a name: emits renamed, and leaves it to who listens.
+  // Takes a new name of a probe: it emits `renamed`, and whoever listens changes the session.
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
  signals:

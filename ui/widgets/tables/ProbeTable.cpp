@@ -107,8 +107,8 @@ void ProbeTable::showEvent(QShowEvent* event) {
   arrangeColumns();
 }
 
-// Titles and figures first, the bar takes what is left; where that is too little, the GPU's
-// column goes, then the bar.
+// Titles and figures get their room first, and the bar takes what is left. Where that is too
+// little, the GPU's column is left out, then the bar.
 void ProbeTable::arrangeColumns() {
   using Model = ProbeTableModel;
   view_->resizeRowsToContents();

@@ -22,7 +22,7 @@ class ProbeTable : public Card {
   void setProbe(const Probe& probe, const QString& selected,
                 const std::optional<RayTracedRow>& rays = {});
   void setSelected(const QString& id);
-  // No rows, a hint in their place; "" is how to get rows.
+  // Removes the rows and shows a hint in their place; an empty one says how to get rows.
   void clear(const QString& hint = {});
 
   // Tab separated with a header line, numbers in full precision; for spreadsheets.
@@ -33,7 +33,7 @@ class ProbeTable : public Card {
   void copy() const;  // asText to the clipboard
 
  signals:
-  // By click or arrow key, never by setSelected.
+  // Emitted after a click or an arrow key, never by setSelected.
   void techniqueChosen(const QString& id);
 
  protected:

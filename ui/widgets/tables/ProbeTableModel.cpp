@@ -9,7 +9,7 @@
 
 namespace umbra {
 
-// Not a technique: it has no id, and cannot be chosen.
+// The row is no technique: it has no id, and cannot be chosen.
 ProbeTableModel::Row ProbeTableModel::rayTracedRow(const RayTracedRow& rays, double reference) {
   Row row;
   row.title = tr("Rays, without a map");

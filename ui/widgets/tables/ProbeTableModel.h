@@ -25,9 +25,9 @@ class ProbeTableModel : public QAbstractTableModel {
 
   using QAbstractTableModel::QAbstractTableModel;
 
-  // In the order of the lists, those that the storage format cannot hold among the others: they
-  // show a dash and say why, and cannot be chosen. Rows stay where the techniques are the same, so
-  // that a selection survives a moving probe.
+  // Rows are in the order of the lists. Techniques that the storage format cannot hold stand among
+  // the others, show a dash, say why, and cannot be chosen. Where the techniques are the same, the
+  // rows stay, so that a selection survives a moving probe.
   void setProbe(const Probe& probe, const std::optional<RayTracedRow>& rays = {});
   void clear();
   bool hasGpuValues() const;

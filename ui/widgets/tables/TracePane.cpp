@@ -50,7 +50,8 @@ TracePane::TracePane(QWidget* parent)
   view_->setFrameShape(QFrame::NoFrame);
   view_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
   body()->addWidget(view_, 1);
-  // Else a longer sentence would take height from the picture, and the probe its pixel.
+  // Without this a longer sentence would take height from the picture, and the probe would lose its
+  // pixel.
   setMinimumHeight(140);
   clear();
 }

@@ -17,7 +17,7 @@ class TracePane : public Card {
 
   // The last value of the trace is the visibility of the technique with this title.
   void setTrace(const QString& technique, const Trace& trace);
-  // No steps, a hint in their place; "" is how to get them.
+  // Removes the steps and shows a hint in their place; an empty one says how to get steps.
   void clear(const QString& hint = {});
 
   // Sentence and steps as plain text; empty without a trace.

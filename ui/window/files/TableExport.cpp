@@ -1,0 +1,37 @@
+#include "ui/window/files/TableExport.h"
+
+#include "filters/core/support/AtomicFile.h"
+#include "ui/probe/KeptProbesPane.h"
+#include "ui/probe/Prober.h"
+#include "ui/widgets/tables/ProbeTable.h"
+#include "ui/window/files/FileDialogs.h"
+
+namespace umbra {
+
+namespace fs = std::filesystem;
+
+TableExport::TableExport(FileDialogs& dialogs, Prober& prober, ProbeTable& table,
+                         KeptProbesPane& kept, QObject* parent)
+    : QObject(parent), dialogs_(dialogs), prober_(prober), table_(table), kept_(kept) {}
+
+void TableExport::askToSaveTechniques() {
+  dialogs_.askAndWrite(
+      tr("Export table"), "techniques.tsv", tr("Tab-separated values (*.tsv *.txt)"),
+      [this](const fs::path& file) { writeTextAtomically(file, table_.asText().toStdString()); });
+}
+
+void TableExport::askToSaveKeptProbes() {
+  if (!prober_.veil().isEmpty()) {
+    emit failed(prober_.veil());
+    return;
+  }
+  if (kept_.asText(',').isEmpty()) {
+    emit failed(tr("There is no table of kept probes to export: keep a probe first (K)."));
+    return;
+  }
+  dialogs_.askAndWrite(
+      tr("Export kept probes"), "probes.csv", tr("Comma-separated values (*.csv)"),
+      [this](const fs::path& file) { writeTextAtomically(file, kept_.asText(',').toStdString()); });
+}
+
+}  // namespace umbra
