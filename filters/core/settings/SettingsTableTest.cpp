@@ -121,6 +121,26 @@ TEST(SettingsTable, ADefaultIsTheStructuresOwnAndRight) {
   EXPECT_EQ(everything.camera, Camera{});
 }
 
+// Every value of an enumeration goes by the name that nameOf() gives it.
+TEST(SettingsTable, ChoicesGoByTheirNames) {
+  Everything all;
+  const std::vector<Setting> settings = all.settings();
+  const auto expectNames = [&]<class E>(std::string_view name, E& value) {
+    const Setting& setting = settingNamed(settings, name, "x");
+    for (std::size_t i = 0; i < setting.info.choices.size(); ++i) {
+      value = E(i);
+      EXPECT_EQ(setting.text(), nameOf(value)) << name;
+    }
+  };
+  expectNames("kernel.shape", all.frame.kernel.shape);
+  expectNames("map.format", all.frame.map.format);
+  expectNames("read.filter", all.frame.read.filter);
+  expectNames("read.sat-size", all.frame.read.satSize);
+  expectNames("read.sat-precision", all.frame.read.satPrecision);
+  expectNames("view.mode", all.frame.view);
+  expectNames("light.kind", all.light.kind);
+}
+
 TEST(SettingsTable, TheEndsOfARangeAreTakenAndReadBack) {
   Everything everything;
   for (const Setting& setting : everything.settings())
