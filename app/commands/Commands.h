@@ -1,26 +1,29 @@
 // The commands of the program, one file each.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
-#include <vector>
+
+#include "app/options/OptionParser.h"
 
 namespace umbra {
 
 struct Command {
-  CLI::App* app;  // of the command; says whether it was asked for
+  OptionParser parser;  // of the command; says whether it was asked for
   std::function<void()> run;
 };
 
+inline constexpr const char* commandsGroup = "Commands";  // their heading in the help
+
 // Each adds its command to `program` and returns what runs it.
-Command addRender(CLI::App& program);
-Command addProbe(CLI::App& program);
-Command addEncode(CLI::App& program);
-Command addSplits(CLI::App& program);
-Command addCompare(CLI::App& program);
-Command addTour(CLI::App& program);
-Command addScenes(CLI::App& program);
-Command addTechniques(CLI::App& program);
-Command addLesson(CLI::App& program);
+Command addRender(OptionParser& program);
+Command addProbe(OptionParser& program);
+Command addEncode(OptionParser& program);
+Command addSplits(OptionParser& program);
+Command addCompare(OptionParser& program);
+Command addTour(OptionParser& program);
+Command addScenes(OptionParser& program);
+Command addTechniques(OptionParser& program);
+Command addSettings(OptionParser& program);
+Command addLesson(OptionParser& program);
 
 }  // namespace umbra

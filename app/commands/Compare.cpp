@@ -22,7 +22,7 @@ namespace umbra {
 namespace {
 
 struct CompareCommand {
-  explicit CompareCommand(CLI::App& command);
+  explicit CompareCommand(OptionParser& command);
 
   void run() const;
   void compareMap(Session session) const;
@@ -37,46 +37,34 @@ struct CompareCommand {
   TechniqueCatalogue catalogue = allTechniques();
 };
 
-CompareCommand::CompareCommand(CLI::App& command) {
+CompareCommand::CompareCommand(OptionParser& command) {
   const std::string group = "Compare";
-  command
-      .add_option("--receiver", receiver, "Of a depth map: a receiver plane at this depth, 0 to 1")
-      ->type_name("Z")
-      ->group(group);
-  command
-      .add_option(
-          "-o,--output", folder,
-          "Write compare.json, compare.csv and, of a scene, each technique's error picture; "
-          "with --decompose the parts as decomposition-TECHNIQUE.exr")
-      ->type_name("DIR")
-      ->group(group);
-  command
-      .add_flag("--decompose", decompose,
-                "Of a scene: also take each technique's error apart, into bleeding, contact leak, "
-                "over-darkening, reduction and precision; with --reference raytraced also into the "
-                "map's own error")
-      ->group(group);
-  command
-      .add_option(
-          "--reference", reference,
-          "What is true: exact percentage-closer filtering of the map (the default), or, of "
-          "a scene, of a map of unlimited resolution, by rays through every texel")
-      ->type_name("pcf|raytraced")
-      ->group(group);
-  command
-      .add_option("--surfaces", surfaces,
-                  "Of a scene: also the error on its surfaces, whoever looks at them, with areas; "
-                  "-o writes bleeding-TECHNIQUE.vtp or .ply, a mesh with the error at every vertex "
-                  "and face; against what --reference says")
-      ->type_name("vtp|ply")
-      ->group(group);
-  command
-      .add_option("--surface-edge", surfaceEdge,
-                  "Of --surfaces: no edge is longer on the map, texels, 0.5 to 256 (default 4)")
-      ->type_name("TEXELS")
-      ->group(group);
-  command.add_flag("--json", json, "Print one JSON object")->group(group);
-  command.footer(
+  command.add("--receiver", receiver,
+              {group, "Z", "Of a depth map: a receiver plane at this depth, 0 to 1"});
+  command.add("-o,--output", folder,
+              {group, "DIR",
+               "Write compare.json, compare.csv and, of a scene, each technique's error picture; "
+               "with --decompose the parts as decomposition-TECHNIQUE.exr"});
+  command.addFlag(
+      "--decompose", decompose,
+      {group, "",
+       "Of a scene: also take each technique's error apart, into bleeding, contact leak, "
+       "over-darkening, reduction and precision; with --reference raytraced also into the "
+       "map's own error"});
+  command.add("--reference", reference,
+              {group, "pcf|raytraced",
+               "What is true: exact percentage-closer filtering of the map (the default), or, of "
+               "a scene, of a map of unlimited resolution, by rays through every texel"});
+  command.add("--surfaces", surfaces,
+              {group, "vtp|ply",
+               "Of a scene: also the error on its surfaces, whoever looks at them, with areas; "
+               "-o writes bleeding-TECHNIQUE.vtp or .ply, a mesh with the error at every vertex "
+               "and face; against what --reference says"});
+  command.add("--surface-edge", surfaceEdge,
+              {group, "TEXELS",
+               "Of --surfaces: no edge is longer on the map, texels, 0.5 to 256 (default 4)"});
+  command.addFlag("--json", json, {group, "", "Print one JSON object"});
+  command.setFooter(
       "The error is visibility minus exact percentage-closer filtering over the same region; a\n"
       "scene counts every pixel that faces the light inside its map, a depth map every texel.\n"
       "With --reference raytraced that includes the error of the map itself, which pcf's row "
@@ -209,9 +197,10 @@ void CompareCommand::compareScene(const Session& session) const {
 
 }  // namespace
 
-Command addCompare(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("compare", "Measure techniques against the reference");
-  const auto compare = std::make_shared<CompareCommand>(*command);
+Command addCompare(OptionParser& program) {
+  OptionParser command =
+      program.addCommand("compare", "Measure techniques against the reference", commandsGroup);
+  const auto compare = std::make_shared<CompareCommand>(command);
   return {command, [compare] { compare->run(); }};
 }
 

@@ -17,7 +17,7 @@ namespace umbra {
 namespace {
 
 struct EncodeCommand {
-  explicit EncodeCommand(CLI::App& command);
+  explicit EncodeCommand(OptionParser& command);
 
   void run() const;
   void encodeDepthMap(Session session, ChannelFile& file) const;
@@ -30,14 +30,11 @@ struct EncodeCommand {
   std::vector<std::shared_ptr<Technique>> techniques(const Session& session) const;
 };
 
-EncodeCommand::EncodeCommand(CLI::App& command) {
-  command.add_option("-o,--output", output, "File to write")
-      ->type_name("FILE.exr")
-      ->group("Encode");
-  command.add_option("--stage", stage, "encoded, or prefiltered (default): after the kernel")
-      ->type_name("NAME")
-      ->group("Encode");
-  command.footer(
+EncodeCommand::EncodeCommand(OptionParser& command) {
+  command.add("-o,--output", output, {"Encode", "FILE.exr", "File to write"});
+  command.add("--stage", stage,
+              {"Encode", "NAME", "encoded, or prefiltered (default): after the kernel"});
+  command.setFooter(
       "Writes one part with the channels TECHNIQUE.CHANNEL, and Z: the depth itself, in [0,1].\n"
       "Without --technique it is the session's; hard and pcf store nothing but Z.\n"
       "Of several cascades it is the first, nearest to the camera; Z is a texel's first sample.");
@@ -113,10 +110,10 @@ void EncodeCommand::encodeScene(const Session& session, ChannelFile& file) const
 
 }  // namespace
 
-Command addEncode(CLI::App& program) {
-  CLI::App* command =
-      program.add_subcommand("encode", "Write what techniques store, as channels of an EXR file");
-  const auto encode = std::make_shared<EncodeCommand>(*command);
+Command addEncode(OptionParser& program) {
+  OptionParser command = program.addCommand(
+      "encode", "Write what techniques store, as channels of an EXR file", commandsGroup);
+  const auto encode = std::make_shared<EncodeCommand>(command);
   return {command, [encode] { encode->run(); }};
 }
 

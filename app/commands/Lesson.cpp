@@ -83,34 +83,34 @@ void exportLesson(const LessonCommand& command) {
   announce(file);
 }
 
-CLI::App* addOne(CLI::App& parent, LessonCommand& command, const char* name, const char* what) {
-  CLI::App* one = parent.add_subcommand(name, what);
-  one->add_option("NAME", command.name, "A lesson of the list, or a file.json of your own")
-      ->required()
-      ->type_name("");
+OptionParser addOne(OptionParser& parent, LessonCommand& command, const char* name,
+                    const char* what) {
+  OptionParser one = parent.addCommand(name, what);
+  one.addRequired("NAME", command.name,
+                  {.text = "A lesson of the list, or a file.json of your own"});
   return one;
 }
 
 }  // namespace
 
-Command addLesson(CLI::App& program) {
-  CLI::App* lesson = program.add_subcommand("lesson", "List, read, check and export lessons");
-  lesson->require_subcommand(1);
+Command addLesson(OptionParser& program) {
+  OptionParser lesson =
+      program.addCommand("lesson", "List, read, check and export lessons", commandsGroup);
+  lesson.requireCommand();
   const auto command = std::make_shared<LessonCommand>();
-  CLI::App* list = lesson->add_subcommand("list", "List the lessons");
-  list->add_flag("--json", command->json, "Print one JSON object");
-  CLI::App* show = addOne(*lesson, *command, "show", "Print a lesson's text");
-  CLI::App* page = addOne(*lesson, *command, "export", "Write one self-contained HTML hand-out");
-  page->add_option("-o,--output", command->folder, "Folder to write NAME.html into")
-      ->type_name("DIR")
-      ->capture_default_str();
-  CLI::App* check = addOne(*lesson, *command, "check", "Measure whether a lesson's claims hold");
-  check->add_flag("--json", command->json, "Print one JSON object");
+  OptionParser list = lesson.addCommand("list", "List the lessons");
+  list.addFlag("--json", command->json, {.text = "Print one JSON object"});
+  const OptionParser show = addOne(lesson, *command, "show", "Print a lesson's text");
+  OptionParser page = addOne(lesson, *command, "export", "Write one self-contained HTML hand-out");
+  page.add("-o,--output", command->folder,
+           {.takes = "DIR", .text = "Folder to write NAME.html into"});
+  OptionParser check = addOne(lesson, *command, "check", "Measure whether a lesson's claims hold");
+  check.addFlag("--json", command->json, {.text = "Print one JSON object"});
   return {lesson, [=] {
-            if (list->parsed()) return listLessons(command->json);
-            if (show->parsed()) return print(lessonText(lessonNamed(command->name)));
-            if (page->parsed()) return exportLesson(*command);
-            if (check->parsed()) checkLesson(*command);
+            if (list.wasAsked()) return listLessons(command->json);
+            if (show.wasAsked()) return print(lessonText(lessonNamed(command->name)));
+            if (page.wasAsked()) return exportLesson(*command);
+            if (check.wasAsked()) checkLesson(*command);
           }};
 }
 

@@ -22,7 +22,7 @@ namespace umbra {
 namespace {
 
 struct ProbeCommand {
-  explicit ProbeCommand(CLI::App& command);
+  explicit ProbeCommand(OptionParser& command);
 
   void run() const;
   void probeDepthMap(Session session) const;
@@ -55,11 +55,11 @@ struct ProbeCommand {
   TechniqueCatalogue catalogue = allTechniques();
 };
 
-ProbeCommand::ProbeCommand(CLI::App& command) {
+ProbeCommand::ProbeCommand(OptionParser& command) {
   const std::string group = "Probe";
   const auto add = [&](const std::string& name, auto& value, const std::string& type,
                        const std::string& text) {
-    command.add_option(name, value, text)->type_name(type)->group(group);
+    command.add(name, value, {group, type, text});
   };
   add("--texel", texel, "X,Y", "Of a depth map: the region's centre, y down, from 0");
   add("--receiver", receiver, "Z", "Receiver's depth, 0 to 1; needed with --depth");
@@ -72,11 +72,10 @@ ProbeCommand::ProbeCommand(CLI::App& command) {
   add("--reference", reference, "pcf|raytraced",
       "Of a scene: what the errors are against, exact percentage-closer filtering of the map (the "
       "default), or of a map of unlimited resolution, by rays through every texel");
-  command.add_flag("--json", json, "Print one JSON object")->group(group);
-  command
-      .add_flag("--trace", trace,
-                "Also how each technique comes to its visibility, and which step goes wrong")
-      ->group(group);
+  command.addFlag("--json", json, {group, "", "Print one JSON object"});
+  command.addFlag(
+      "--trace", trace,
+      {group, "", "Also how each technique comes to its visibility, and which step goes wrong"});
   options.addTo(command);
 }
 
@@ -287,10 +286,10 @@ void ProbeCommand::finish(const Taken& taken, const Session& session, Display* d
 
 }  // namespace
 
-Command addProbe(CLI::App& program) {
-  CLI::App* command =
-      program.add_subcommand("probe", "Take one region apart: depths, techniques, truth");
-  const auto probe = std::make_shared<ProbeCommand>(*command);
+Command addProbe(OptionParser& program) {
+  OptionParser command = program.addCommand(
+      "probe", "Take one region apart: depths, techniques, truth", commandsGroup);
+  const auto probe = std::make_shared<ProbeCommand>(command);
   return {command, [probe] { probe->run(); }};
 }
 

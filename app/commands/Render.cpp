@@ -28,7 +28,7 @@ struct Drawing {
 };
 
 struct RenderCommand {
-  explicit RenderCommand(CLI::App& command);
+  explicit RenderCommand(OptionParser& command);
 
   void run() const;
   void renderPicture(const Session& session) const;
@@ -62,11 +62,10 @@ std::string nameOfPane(const Technique& technique, const std::string& label) {
   return label.empty() ? title : title + " · " + label;
 }
 
-RenderCommand::RenderCommand(CLI::App& command) {
-  command.add_option("-o,--output", output, "Picture, or its layers as floats")
-      ->type_name("FILE.png|FILE.exr")
-      ->group("Render");
-  command.footer(
+RenderCommand::RenderCommand(OptionParser& command) {
+  command.add("-o,--output", output,
+              {"Render", "FILE.png|FILE.exr", "Picture, or its layers as floats"});
+  command.setFooter(
       "Several techniques are drawn side by side in a PNG, as are the panes of a session that\n"
       "compares; a session's wipe is one picture of two. An EXR has R, G, B of the first, per\n"
       "pixel u, v (in the map; u < 0 without a surface), receiver (negative where the surface\n"
@@ -169,9 +168,10 @@ void RenderCommand::renderLayers(const Session& session) const {
 
 }  // namespace
 
-Command addRender(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("render", "Draw one frame into a picture");
-  const auto render = std::make_shared<RenderCommand>(*command);
+Command addRender(OptionParser& program) {
+  OptionParser command =
+      program.addCommand("render", "Draw one frame into a picture", commandsGroup);
+  const auto render = std::make_shared<RenderCommand>(command);
   return {command, [render] { render->run(); }};
 }
 

@@ -37,10 +37,11 @@ void listScenes(bool json) {
 
 }  // namespace
 
-Command addScenes(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("scenes", "List the scenes of the catalogue");
+Command addScenes(OptionParser& program) {
+  OptionParser command =
+      program.addCommand("scenes", "List the scenes of the catalogue", commandsGroup);
   const auto json = std::make_shared<bool>(false);
-  command->add_flag("--json", *json, "Print one JSON object");
+  command.addFlag("--json", *json, {.text = "Print one JSON object"});
   return {command, [json] { listScenes(*json); }};
 }
 

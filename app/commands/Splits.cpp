@@ -29,7 +29,7 @@ struct Splits {
 };
 
 struct SplitsCommand {
-  explicit SplitsCommand(CLI::App& command);
+  explicit SplitsCommand(OptionParser& command);
 
   void run() const;
   DepthMap depthMap(const Session& session) const;
@@ -43,18 +43,18 @@ struct SplitsCommand {
   TechniqueCatalogue catalogue = allTechniques();
 };
 
-SplitsCommand::SplitsCommand(CLI::App& command) {
+SplitsCommand::SplitsCommand(OptionParser& command) {
   const std::string group = "Splits";
   const auto add = [&](const std::string& name, auto& value, const std::string& type,
                        const std::string& text) {
-    command.add_option(name, value, text)->type_name(type)->group(group);
+    command.add(name, value, {group, type, text});
   };
   add("--layers", layers, "N", "Layers, one more than splits (default lvsm.layers)");
   add("--placement", placement, "NAME", "uniform or lloyd (default)");
   add("--iterations", iterations, "K", "Stop after K iterations; else when nothing moves");
   add("--bins", bins, "N", "Bins of the histogram (default 60)");
   add("-o,--output", folder, "DIR", "Write splits.json and the plots as PNG, SVG, PDF and CSV");
-  command.add_flag("--json", json, "Print one JSON object")->group(group);
+  command.addFlag("--json", json, {group, "", "Print one JSON object"});
   options.addTo(command);
 }
 
@@ -150,10 +150,10 @@ void SplitsCommand::run() const {
 
 }  // namespace
 
-Command addSplits(CLI::App& program) {
-  CLI::App* command =
-      program.add_subcommand("splits", "Place the splits of layered variance shadow maps");
-  const auto splits = std::make_shared<SplitsCommand>(*command);
+Command addSplits(OptionParser& program) {
+  OptionParser command = program.addCommand(
+      "splits", "Place the splits of layered variance shadow maps", commandsGroup);
+  const auto splits = std::make_shared<SplitsCommand>(command);
   return {command, [splits] { splits->run(); }};
 }
 

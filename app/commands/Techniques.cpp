@@ -1,5 +1,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
 
 #include "app/commands/Commands.h"
 #include "app/output/Table.h"
@@ -41,18 +43,15 @@ void printPage(const std::string& id) {
 
 }  // namespace
 
-Command addTechniques(CLI::App& program) {
-  CLI::App* command =
-      program.add_subcommand("techniques", "List the techniques and their parameters");
+Command addTechniques(OptionParser& program) {
+  OptionParser command =
+      program.addCommand("techniques", "List the techniques and their parameters", commandsGroup);
   const auto json = std::make_shared<bool>(false);
-  command->add_flag("--json", *json, "Print one JSON object");
-  const auto name = std::make_shared<std::string>();
-  const CLI::Option* page =
-      command->add_option("name", *name, "Print this technique's page, Markdown")
-          ->type_name("NAME")
-          ->excludes("--json");
-  return {command,
-          [json, name, page] { page->count() ? printPage(*name) : listTechniques(*json); }};
+  command.addFlag("--json", *json, {.text = "Print one JSON object"});
+  const auto name = std::make_shared<std::optional<std::string>>();
+  command.addArgument("name", *name,
+                      {.takes = "NAME", .text = "Print this technique's page, Markdown"}, "--json");
+  return {command, [json, name] { *name ? printPage(**name) : listTechniques(*json); }};
 }
 
 }  // namespace umbra

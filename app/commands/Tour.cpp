@@ -20,7 +20,7 @@ constexpr int probeBins = 60;
 constexpr int probeSamples = 401;
 
 struct TourCommand {
-  explicit TourCommand(CLI::App& command);
+  explicit TourCommand(OptionParser& command);
   void run() const;
 
   SessionOptions options;
@@ -28,12 +28,9 @@ struct TourCommand {
   TechniqueCatalogue catalogue = allTechniques();
 };
 
-TourCommand::TourCommand(CLI::App& command) {
-  command.add_option("-o,--output", folder, "Folder to write into")
-      ->type_name("DIR")
-      ->capture_default_str()
-      ->group("Tour");
-  command.footer(
+TourCommand::TourCommand(OptionParser& command) {
+  command.add("-o,--output", folder, {"Tour", "DIR", "Folder to write into"});
+  command.setFooter(
       "Draws the techniques side by side (hard, pcf, vsm and power-cdf where none are\n"
       "named), probes the pixel where vsm, or else the first bound, bleeds most light, and\n"
       "writes picture, plots and figures.");
@@ -71,10 +68,11 @@ void TourCommand::run() const {
 
 }  // namespace
 
-Command addTour(CLI::App& program) {
-  CLI::App* command = program.add_subcommand(
-      "tour", "Draw a scene with several techniques and probe where light bleeds most");
-  const auto tour = std::make_shared<TourCommand>(*command);
+Command addTour(OptionParser& program) {
+  OptionParser command = program.addCommand(
+      "tour", "Draw a scene with several techniques and probe where light bleeds most",
+      commandsGroup);
+  const auto tour = std::make_shared<TourCommand>(command);
   return {command, [tour] { tour->run(); }};
 }
 

@@ -52,16 +52,6 @@ std::optional<Eigen::Vector3d> point(std::string_view text) {
   return Eigen::Vector3d(values[0], values[1], values[2]);
 }
 
-// The check that session files undergo as well; here it is an option that is wrong.
-template <class T>
-void validated(const T& value, std::string_view option) {
-  try {
-    validate(value, option);
-  } catch (const Error& error) {
-    throw Error(ErrorKind::BadCommandLine, error.what());
-  }
-}
-
 }  // namespace
 
 double numberFrom(std::string_view text, std::string_view option, NumberRange range) {
@@ -83,35 +73,13 @@ int integerFrom(std::string_view text, std::string_view option, int low, int hig
   return *value;
 }
 
-double sigmaFrom(std::string_view text, std::string_view option) {
-  const std::optional<double> value = finiteNumber(text);
-  const bool fits = value && (*value == 0.0 ||
-                              (*value >= Kernel::smallestSigma && *value <= Kernel::largestSigma));
-  if (!fits)
-    refuse(option, text,
-           "0 for the default, or a number from " + shortNumber(Kernel::smallestSigma) + " to " +
-               shortNumber(Kernel::largestSigma));
-  return *value;
-}
-
 void refuseEmpty(std::string_view text, std::string_view option, const std::string& right) {
   if (text.empty()) refuse(option, text, right);
-}
-
-int samplesFrom(std::string_view text, std::string_view option) {
-  for (int samples = 1; samples <= MapSettings::largestSamples; samples *= 2)
-    if (text == std::to_string(samples)) return samples;
-  refuse(option, text, "1, 2, 4 or 8");
 }
 
 bool rayTracedFrom(std::string_view text, std::string_view option) {
   if (text != "pcf" && text != "raytraced") refuse(option, text, "pcf or raytraced");
   return text == "raytraced";
-}
-
-bool switchFrom(std::string_view text, std::string_view option) {
-  if (text != "on" && text != "off") refuse(option, text, "on or off");
-  return text == "on";
 }
 
 Eigen::Vector3d pointFrom(std::string_view text, std::string_view option) {
@@ -129,20 +97,6 @@ Pixel pixelFrom(std::string_view text, std::string_view option) {
   refuse(option, text, "X,Y: two whole numbers from 0, y down");
 }
 
-std::pair<int, int> sizeFrom(std::string_view text, std::string_view option) {
-  const std::vector<std::string> parts = split(text, 'x');
-  if (parts.size() == 2 && text.back() != 'x') {
-    const std::optional<int> width = wholeNumber(parts[0]), height = wholeNumber(parts[1]);
-    const auto fits = [](const std::optional<int>& n) {
-      return n && *n >= Session::smallestSide && *n <= Session::largestSide;
-    };
-    if (fits(width) && fits(height)) return {*width, *height};
-  }
-  refuse(option, text,
-         "WIDTHxHEIGHT in pixels, each from " + std::to_string(Session::smallestSide) + " to " +
-             std::to_string(Session::largestSide));
-}
-
 std::pair<double, double> depthRangeFrom(std::string_view text, std::string_view option) {
   const std::vector<double> values = numbers(text, 2);
   if (values.empty() || !(values[0] < values[1]) || !std::isfinite(values[1] - values[0]))
@@ -154,6 +108,14 @@ std::pair<std::string, std::string> assignmentFrom(std::string_view text, std::s
   const std::size_t equals = text.find('=');
   if (equals == std::string_view::npos || equals == 0) refuse(option, text, "NAME=VALUE");
   return {std::string(text.substr(0, equals)), std::string(text.substr(equals + 1))};
+}
+
+void asOption(const std::function<void()>& read) {
+  try {
+    read();
+  } catch (const Error& error) {
+    throw Error(ErrorKind::BadCommandLine, error.what());
+  }
 }
 
 Light lightFrom(std::string_view text, std::string_view option, const Light& base) {
@@ -169,7 +131,7 @@ Light lightFrom(std::string_view text, std::string_view option, const Light& bas
   if (parts.size() > 3)
     light.halfAngle =
         numberFrom(parts[3], option, {Light::smallestHalfAngle, Light::largestHalfAngle});
-  validated(light, option);
+  asOption([&] { validate(light, option); });
   return light;
 }
 
@@ -187,7 +149,7 @@ Camera cameraFrom(std::string_view text, std::string_view option, const Camera& 
   if (looksAlongUp(camera))
     camera.up = std::abs(direction.y()) > 0.5 ? Eigen::Vector3d(0.0, 0.0, -1.0)
                                               : Eigen::Vector3d(0.0, 1.0, 0.0);
-  validated(camera, option);
+  asOption([&] { validate(camera, option); });
   return camera;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -20,27 +21,22 @@ struct NumberRange {
 // Finite and within the range.
 double numberFrom(std::string_view text, std::string_view option, NumberRange range);
 int integerFrom(std::string_view text, std::string_view option, int low, int high);
-// Of a Gaussian: 0 for the default, or within Kernel's range.
-double sigmaFrom(std::string_view text, std::string_view option);
 // Throws where the text is empty; `right` is what the option takes.
 void refuseEmpty(std::string_view text, std::string_view option, const std::string& right);
-// Depths a texel: 1, 2, 4 or 8.
-int samplesFrom(std::string_view text, std::string_view option);
 // "pcf" or "raytraced": whether rays are the truth.
 bool rayTracedFrom(std::string_view text, std::string_view option);
-// "on" or "off".
-bool switchFrom(std::string_view text, std::string_view option);
 
 // "X,Y,Z", world.
 Eigen::Vector3d pointFrom(std::string_view text, std::string_view option);
 // "X,Y", from 0.
 Pixel pixelFrom(std::string_view text, std::string_view option);
-// "WxH", Session::smallestSide … largestSide pixels each.
-std::pair<int, int> sizeFrom(std::string_view text, std::string_view option);
 // "NEAR,FAR", NEAR < FAR, and a finite distance apart.
 std::pair<double, double> depthRangeFrom(std::string_view text, std::string_view option);
 // "NAME=VALUE".
 std::pair<std::string, std::string> assignmentFrom(std::string_view text, std::string_view option);
+
+// Calls `read`. Any Error that it throws becomes BadCommandLine, since an option is wrong.
+void asOption(const std::function<void()>& read);
 
 inline constexpr std::string_view lightSyntax =
     "directional:X,Y,Z[:TO_X,TO_Y,TO_Z] or spot:X,Y,Z[:TO_X,TO_Y,TO_Z[:HALF_ANGLE]]";

@@ -7,6 +7,7 @@
 #include "app/options/OptionValues.h"
 #include "app/options/SceneSources.h"
 #include "datasets/maps/DepthFile.h"
+#include "datasets/session/SessionSettings.h"
 #include "datasets/session/file/SessionFile.h"
 #include "filters/core/support/Error.h"
 #include "filters/core/support/Text.h"
@@ -25,131 +26,75 @@ bool sameSource(SceneSource a, SceneSource b) {
   return a == b;
 }
 
+// Writes "The kernel has (2r+1)² taps (0 to 64 texels; default 3)".
+std::string helpText(const Setting& setting) {
+  const SettingInfo& info = setting.info;
+  const std::string range = rangeText(info);
+  return std::string(info.doc) + " (" + range + (range.empty() ? "" : "; ") + "default " +
+         (isOfScene(info) ? "the scene's" : defaultText(info, setting.defaultValue)) + ")";
+}
+
 }  // namespace
 
-void SessionOptions::addTo(CLI::App& command) {
+void SessionOptions::addTo(OptionParser& command) {
   addInput(command);
   addTechnique(command);
-  addMap(command);
-  addRead(command);
+  addSettings(command, "Technique and prefilter");
+  addSettings(command, "Shadow map");
+  addSettings(command, "Read of the shaded frame");
   addView(command);
 }
 
-void SessionOptions::addInput(CLI::App& command) {
-  const std::string group = "Input";
-  command
-      .add_option("--scene", scene_, "Scene of the catalogue, or mesh file (.obj .ply .off .stl)")
-      ->type_name("NAME|FILE")
-      ->group(group);
-  command.add_option("--scene-set", sceneSettings_, "Adjust the scene, see `scenes`; repeatable")
-      ->type_name("PARAMETER=VALUE")
-      ->take_all()
-      ->expected(1)
-      ->group(group);
-  command
-      .add_option("--depth", depth_,
-                  "Depth map instead of a scene: a float or half channel, by default Z")
-      ->type_name("FILE.exr[:CHANNEL]")
-      ->group(group);
-  command.add_option("--depth-range", depthRange_, "Depths that become 0 and 1 (default 0,1)")
-      ->type_name("NEAR,FAR")
-      ->group(group);
-  command.add_option("--session", session_, "Start from a saved session; options override it")
-      ->type_name("FILE.json")
-      ->group(group);
+void SessionOptions::addInput(OptionParser& command) {
+  const char* group = "Input";
+  command.add("--scene", scene_,
+              {group, "NAME|FILE", "Scene of the catalogue, or mesh file (.obj .ply .off .stl)"});
+  command.addRepeatable("--scene-set", sceneSettings_,
+                        {group, "PARAMETER=VALUE", "Adjust the scene, see `scenes`; repeatable"});
+  command.add("--depth", depth_,
+              {group, "FILE.exr[:CHANNEL]",
+               "Depth map instead of a scene: a float or half channel, by default Z"});
+  command.add("--depth-range", depthRange_,
+              {group, "NEAR,FAR", "Depths that become 0 and 1 (default 0,1)"});
+  command.add("--session", session_,
+              {group, "FILE.json", "Start from a saved session; options override it"});
 }
 
-void SessionOptions::addTechnique(CLI::App& command) {
-  const std::string group = "Technique and prefilter";
-  command.add_option("--technique", techniques_, "One or more techniques, see `techniques`")
-      ->type_name("A[,B...]|all")
-      ->group(group);
-  command
-      .add_option("--set", settings_, "Set a technique's parameter, see `techniques`; repeatable")
-      ->type_name("TECHNIQUE.PARAMETER=VALUE")
-      ->take_all()
-      ->expected(1)
-      ->group(group);
-  command.add_option("--kernel", kernel_, "Prefilter: none, box (default) or gaussian")
-      ->type_name("NAME")
-      ->group(group);
-  command
-      .add_option("--radius", radius_, "Radius r of the (2r+1)x(2r+1) kernel, texels (default 3)")
-      ->type_name("R")
-      ->group(group);
-  command.add_option("--sigma", sigma_, "Gaussian's standard deviation, texels (default r/2)")
-      ->type_name("S")
-      ->group(group);
+void SessionOptions::addTechnique(OptionParser& command) {
+  const char* group = "Technique and prefilter";
+  command.add("--technique", techniques_,
+              {group, "A[,B...]|all", "One or more techniques, see `techniques`"});
+  command.addRepeatable("--set", settings_,
+                        {group, "TECHNIQUE.PARAMETER=VALUE",
+                         "Set a technique's parameter, see `techniques`; repeatable"});
 }
 
-void SessionOptions::addMap(CLI::App& command) {
-  const std::string group = "Shadow map";
-  const auto add = [&](const std::string& name, Text& value, const std::string& type,
-                       const std::string& text) {
-    command.add_option(name, value, text)->type_name(type)->group(group);
-  };
-  add("--map-size", mapSize_, "N", "Texels a side, 16 to 8192 (default 1024)");
-  add("--format", format_, "NAME",
-      "Channel storage: unorm8, unorm16, half or float (default); a depth map also takes double");
-  add("--msaa", msaa_, "N", "Depths a texel: 1 (default), 2, 4 or 8, as far as the driver can");
-  add("--cascades", cascades_, "N", "Shadow maps along the view, 1 (default) to 4");
-  add("--split-lambda", splitLambda_, "L",
-      "Where cascades split: 0 evenly to 1 logarithmically (default 0.5)");
-  add("--cascade-seam", cascadeSeam_, "S",
-      "Part of a cascade that goes over into the next, 0 to 0.5 (default 0.1)");
-  add("--bias-constant", biasConstant_, "D", "Depth taken off every receiver (default 0.0005)");
-  add("--bias-slope", biasSlope_, "T", "Texels of the receiver's slope taken off (default 1)");
-  add("--bias-receiver-plane", biasReceiverPlane_, "on|off",
-      "Slope also over half the filter region (default on)");
-  add("--cull-front-faces", cullFrontFaces_, "on|off",
-      "Casters' faces towards the light leave no depth (default off)");
+void SessionOptions::addView(OptionParser& command) {
+  const char* group = "View";
+  command.add(
+      "--light", light_,
+      {group, "LIGHT",
+       "Casting light, world; left out parts stay the scene's: " + std::string(lightSyntax)});
+  command.add("--camera", camera_,
+              {group, "CAMERA", "Camera, world, angle in degrees: " + std::string(cameraSyntax)});
+  addSettings(command, group);
 }
 
-void SessionOptions::addRead(CLI::App& command) {
-  const std::string group = "Read of the shaded frame";
-  const auto add = [&](const std::string& name, Text& value, const std::string& type,
-                       const std::string& text) {
-    command.add_option(name, value, text)->type_name(type)->group(group);
-  };
-  add("--filter", filter_, "NAME",
-      "point, bilinear (default), trilinear, anisotropic or sat: summed-area table");
-  add("--anisotropy", anisotropy_, "N", "Reads of --filter anisotropic, at most: 1 to 16 (8)");
-  add("--sat-size", satSize_, "NAME",
-      "Box of --filter sat, at least the kernel's: footprint of the pixel (default), distance: "
-      "wider near the camera, or fixed");
-  add("--sat-distance", satDistance_, "D",
-      "With --sat-size distance: where the box is the kernel's, world units (default 0: as far as "
-      "the lit scene is wide)");
-  add("--sat-precision", satPrecision_, "NAME",
-      "Sums of --filter sat: centred (default) or plain floats, or integer");
+void SessionOptions::addSettings(OptionParser& command, std::string_view group) {
+  Session defaults;
+  for (const Setting& setting : settingsOf(defaults)) {
+    const SettingInfo& info = setting.info;
+    // A row that takes no word by itself is set together with others.
+    if (info.group != group || info.takes.empty()) continue;
+    OfTable& option = table_.emplace_back(OfTable{info, {}});
+    command.add(std::string(info.option), option.text,
+                {group, std::string(info.takes), helpText(setting)});
+  }
 }
 
-void SessionOptions::addView(CLI::App& command) {
-  const std::string group = "View";
-  command
-      .add_option(
-          "--light", light_,
-          "Casting light, world; left out parts stay the scene's: " + std::string(lightSyntax))
-      ->type_name("LIGHT")
-      ->group(group);
-  command
-      .add_option("--camera", camera_,
-                  "Camera, world, angle in degrees: " + std::string(cameraSyntax))
-      ->type_name("CAMERA")
-      ->group(group);
-  command.add_option("--size", size_, "Picture, pixels (default 1280x720)")
-      ->type_name("WxH")
-      ->group(group);
-  command
-      .add_option("--view", view_, "shaded (default), visibility, error, depth, layers or cascades")
-      ->type_name("NAME")
-      ->group(group);
-}
-
-bool SessionOptions::given(const CLI::App& command) const {
-  const std::vector<const CLI::Option*> options = command.get_options();
-  return std::any_of(options.begin(), options.end(), [](const CLI::Option* option) {
-    return option->count() > 0 && !option->get_positional();
+bool SessionOptions::namesFormat() const {
+  return std::any_of(table_.begin(), table_.end(), [](const OfTable& option) {
+    return option.text && option.info.name == "map.format";
   });
 }
 
@@ -163,9 +108,6 @@ Session SessionOptions::session(const TechniqueCatalogue& catalogue) const {
 Session SessionOptions::over(Session base, const TechniqueCatalogue& catalogue) const {
   editSource(base);
   editTechniques(base, catalogue);
-  editMap(base);
-  editRead(base.frame.read);
-  editBias(base.frame.bias);
   editView(base);
   return base;
 }
@@ -252,56 +194,38 @@ void SessionOptions::editTechniques(Session& session, const TechniqueCatalogue& 
   }
 }
 
-void SessionOptions::editMap(Session& session) const {
-  FrameSettings& frame = session.frame;
-  if (kernel_) frame.kernel.shape = kernelShapeFrom(*kernel_, "--kernel");
-  if (radius_) frame.kernel.radius = integerFrom(*radius_, "--radius", 0, Kernel::largestRadius);
-  if (sigma_) frame.kernel.sigma = sigmaFrom(*sigma_, "--sigma");
-  if (mapSize_)
-    frame.map.size =
-        integerFrom(*mapSize_, "--map-size", MapSettings::smallest, MapSettings::largest);
-  if (format_) frame.map.format = storageFormatFrom(*format_, "--format");
-  if (msaa_) frame.map.samples = samplesFrom(*msaa_, "--msaa");
-  CascadeSettings& cascades = frame.map.cascades;
-  if (cascades_)
-    cascades.count = integerFrom(*cascades_, "--cascades", 1, CascadeSettings::largestCount);
-  if (splitLambda_) cascades.splitLambda = numberFrom(*splitLambda_, "--split-lambda", {0.0, 1.0});
-  if (cascadeSeam_)
-    cascades.seam =
-        numberFrom(*cascadeSeam_, "--cascade-seam", {0.0, CascadeSettings::largestSeam});
-}
-
-void SessionOptions::editRead(ReadSettings& read) const {
-  if (filter_) read.filter = readFilterFrom(*filter_, "--filter");
-  if (anisotropy_)
-    read.anisotropy = integerFrom(*anisotropy_, "--anisotropy", 1, ReadSettings::largestAnisotropy);
-  if (satSize_) read.satSize = satSizeFrom(*satSize_, "--sat-size");
-  if (satPrecision_) read.satPrecision = satPrecisionFrom(*satPrecision_, "--sat-precision");
-  if (satDistance_)
-    read.satDistance =
-        numberFrom(*satDistance_, "--sat-distance", {0.0, ReadSettings::largestSatDistance});
-}
-
-void SessionOptions::editBias(Bias& bias) const {
-  if (biasConstant_)
-    bias.constant = numberFrom(*biasConstant_, "--bias-constant", {0.0, Bias::largestConstant});
-  if (biasSlope_) bias.slope = numberFrom(*biasSlope_, "--bias-slope", {0.0, Bias::largestSlope});
-  if (biasReceiverPlane_)
-    bias.receiverPlane = switchFrom(*biasReceiverPlane_, "--bias-receiver-plane");
-  if (cullFrontFaces_) bias.cullFrontFaces = switchFrom(*cullFrontFaces_, "--cull-front-faces");
+// Returns the first given option that sets a part of light or camera; "" if none does.
+std::string SessionOptions::optionOfScene() const {
+  if (light_) return "--light";
+  if (camera_) return "--camera";
+  for (const OfTable& option : table_)
+    if (option.text && isOfScene(option.info)) return std::string(option.info.option);
+  return {};
 }
 
 void SessionOptions::editView(Session& session) const {
-  if (size_) std::tie(session.width, session.height) = sizeFrom(*size_, "--size");
-  if (view_) session.frame.view = viewModeFrom(*view_, "--view");
-  if (!light_ && !camera_) return;
+  const std::string option = optionOfScene();
+  if (option.empty()) return editSettings(session, {}, {});
   if (session.source.kind == SourceKind::DepthFile)
-    throw Error(ErrorKind::BadCommandLine,
-                std::string(light_ ? "--light" : "--camera") + ": only goes with a scene");
+    throw Error(ErrorKind::BadCommandLine, option + ": only goes with a scene");
   const Scene scene = loadScene(session.source);
   if (light_) session.light = lightFrom(*light_, "--light", session.light.value_or(scene.light));
   if (camera_)
     session.camera = cameraFrom(*camera_, "--camera", session.camera.value_or(scene.camera));
+  editSettings(session, scene.light, scene.camera);
+  asOption([&] {
+    if (session.light) validate(*session.light, option);
+    if (session.camera) validate(*session.camera, option);
+  });
+}
+
+void SessionOptions::editSettings(Session& session, const Light& light,
+                                  const Camera& camera) const {
+  const std::vector<Setting> settings = settingsOf(session, light, camera);
+  for (const auto& [info, text] : table_)
+    if (text)
+      asOption(
+          [&] { settingNamed(settings, info.name, info.option).setFromText(*text, info.option); });
 }
 
 }  // namespace umbra

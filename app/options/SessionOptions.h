@@ -1,12 +1,15 @@
 // The options that mean the same for every command. They edit a Session and nothing else.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <deque>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "app/options/OptionParser.h"
 #include "datasets/session/Session.h"
+#include "filters/core/settings/Setting.h"
 
 namespace umbra {
 
@@ -25,7 +28,7 @@ class SessionOptions {
   SessionOptions& operator=(const SessionOptions&) = delete;
 
   // Adds the options to `command`; the object must outlive the parsing.
-  void addTo(CLI::App& command);
+  void addTo(OptionParser& command);
 
   // The session that the options describe, checked: the one of --session or the default, with the
   // options laid over it. Throws BadCommandLine (option), BadInput (session file, scene).
@@ -38,33 +41,34 @@ class SessionOptions {
                              const TechniqueChoice& fallback) const;
   bool namesSource() const { return scene_ || depth_; }
   bool namesSession() const { return session_.has_value(); }
-  bool namesFormat() const { return format_.has_value(); }
-  // Of any option at all.
-  bool given(const CLI::App& command) const;
+  bool namesFormat() const;
 
  private:
   using Text = std::optional<std::string>;
 
-  void addInput(CLI::App& command);
-  void addTechnique(CLI::App& command);
-  void addMap(CLI::App& command);
-  void addRead(CLI::App& command);
-  void addView(CLI::App& command);
+  // An option that sets one row of the tables of settings.
+  struct OfTable {
+    SettingInfo info;
+    Text text;
+  };
+
+  void addInput(OptionParser& command);
+  void addTechnique(OptionParser& command);
+  void addView(OptionParser& command);
+  // Adds the options of the tables' rows under that heading.
+  void addSettings(OptionParser& command, std::string_view group);
 
   void editSource(Session& session) const;
   void editTechniques(Session& session, const TechniqueCatalogue& catalogue) const;
-  void editMap(Session& session) const;
-  void editRead(ReadSettings& read) const;
-  void editBias(Bias& bias) const;
   void editView(Session& session) const;
+  // Sets what the tables' options say. `light` and `camera` are the scene's.
+  void editSettings(Session& session, const Light& light, const Camera& camera) const;
+  std::string optionOfScene() const;
 
   Text scene_, depth_, depthRange_, session_;
   std::vector<std::string> sceneSettings_, settings_;
-  Text techniques_, kernel_, radius_, sigma_;
-  Text mapSize_, format_, filter_, anisotropy_, msaa_;
-  Text cascades_, splitLambda_, cascadeSeam_, satSize_, satDistance_, satPrecision_;
-  Text biasConstant_, biasSlope_, biasReceiverPlane_, cullFrontFaces_;
-  Text light_, camera_, size_, view_;
+  Text techniques_, light_, camera_;
+  std::deque<OfTable> table_;  // its elements stay where they are while it grows
 };
 
 // Every id of the catalogue, in its order.

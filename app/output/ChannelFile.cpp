@@ -1,6 +1,7 @@
 #include "app/output/ChannelFile.h"
 
 #include "datasets/maps/ExrFile.h"
+#include "datasets/session/SessionSettings.h"
 #include "datasets/session/file/SessionFile.h"
 
 namespace umbra {
@@ -18,7 +19,17 @@ void addAll(ChannelFile& file, const Technique& technique, const Image<T>& chann
 
 ChannelFile::ChannelFile(const Session& session)
     : attributes_{{"umbrascope.version", UMBRA_VERSION},
-                  {"umbrascope.session", toJson(session).dump()}} {}
+                  {"umbrascope.session", toJson(session).dump()}} {
+  Session copy = session;
+  for (const Setting& setting : settingsOf(copy)) {
+    const bool isLight = setting.info.name.starts_with("light.");
+    // The light and camera of the scene are not known here.
+    if (isOfScene(setting.info) &&
+        !(isLight ? session.light.has_value() : session.camera.has_value()))
+      continue;
+    attributes_[std::string(setting.info.name)] = setting.text();
+  }
+}
 
 void ChannelFile::addDepth(const DepthMap& map) {
   add("Z", channelOf(map, 0));

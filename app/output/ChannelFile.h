@@ -1,5 +1,5 @@
 // An EXR file that explains itself: named float channels, and in its attributes the program's
-// version, the session and every parameter.
+// version, the session, every setting by its name in the table and every parameter.
 #pragma once
 
 #include <filesystem>

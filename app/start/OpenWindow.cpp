@@ -27,13 +27,14 @@ bool isScene(const std::string& name) {
 
 }  // namespace
 
-OpenWindow::OpenWindow(CLI::App& program) : program_(program) {
-  program.add_option("SCENE", argument_, "Scene, mesh file, depth map (.exr) or session (.json)");
+OpenWindow::OpenWindow(OptionParser& program) : program_(program) {
+  program.addArgument("SCENE", argument_,
+                      {.text = "Scene, mesh file, depth map (.exr) or session (.json)"});
   options_.addTo(program);
 }
 
 bool OpenWindow::given() const {
-  return argument_ || options_.given(program_);
+  return argument_ || program_.hasOption();
 }
 
 void OpenWindow::checkArgument() const {
@@ -44,8 +45,7 @@ void OpenWindow::checkArgument() const {
     throw Error(ErrorKind::BadInput, file.string() + ": there is no such file");
   std::vector<std::string> known;
   for (const SceneInfo& info : sceneCatalogue()) known.push_back(info.name);
-  for (const CLI::App* command : program_.get_subcommands([](const CLI::App*) { return true; }))
-    if (!command->get_group().empty()) known.push_back(command->get_name());
+  for (const std::string& command : program_.commandNames()) known.push_back(command);
   const std::string nearest = nearestWord(*argument_, known);
   throw Error(ErrorKind::BadCommandLine,
               *argument_ + ": is no command, scene or file; " +

@@ -1,7 +1,6 @@
 // `umbrascope [SCENE | MESH | DEPTH.exr | SESSION.json]`: the window.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 
@@ -12,7 +11,7 @@ namespace umbra {
 class OpenWindow {
  public:
   // Adds the argument and the session options to the program itself.
-  explicit OpenWindow(CLI::App& program);
+  explicit OpenWindow(OptionParser& program);
 
   bool given() const;
   // Throws BadCommandLine when the argument names nothing that can be opened, with the nearest
@@ -24,7 +23,7 @@ class OpenWindow {
  private:
   Session opened() const;
 
-  CLI::App& program_;
+  OptionParser& program_;
   std::optional<std::string> argument_;
   SessionOptions options_;
 };

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "datasets/session/Session.h"
+#include "datasets/session/SessionSettings.h"
 #include "filters/core/support/Error.h"
 
 namespace umbra {
@@ -90,9 +90,10 @@ std::size_t shownPanes(const Comparison& comparison) {
 void exchangeActive(Session& session) {
   if (session.comparison.panes.empty()) return;
   Pane& pane = session.comparison.panes[session.comparison.active];
-  visitFrame(pane.own, session.frame, [](auto& own, auto& value, PaneSetting) {
-    if (own) std::swap(*own, value);
-  });
+  for (const Setting& setting : settingsOf(session.frame)) {
+    const auto own = pane.own.values.find(std::string(setting.info.name));
+    if (own != pane.own.values.end()) setting.put(std::exchange(own->second, setting.get()));
+  }
   if (!pane.own.parameters) return;
   ParameterValues values = parametersOf(session, pane.technique);
   std::swap(values, *pane.own.parameters);

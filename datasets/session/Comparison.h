@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "filters/core/settings/FrameSettings.h"
+#include "filters/core/settings/Setting.h"
 #include "filters/core/support/Parameters.h"
 
 namespace umbra {
@@ -24,21 +24,13 @@ enum class ComparisonMode { Single, Wipe, Grid };
 // Values that differ from the defaults, by parameter.
 using ParameterValues = std::map<std::string, ParameterValue>;
 
-// Settings that a pane may have of its own: those that are set here.
+// Holds the settings that a pane has of its own. SettingInfo::pane says which ones it may have.
 struct PaneSettings {
-  std::optional<ParameterValues> parameters;  // of the pane's technique
-  std::optional<Kernel> kernel;
-  std::optional<ReadSettings> read;
-  std::optional<StorageFormat> format;
-  std::optional<int> mapSize, samples;  // MapSettings::size, ::samples
-  std::optional<CascadeSettings> cascades;
-  std::optional<Bias> bias;
+  std::optional<ParameterValues> parameters;   // of the pane's technique
+  std::map<std::string, SettingValue> values;  // of the frame, by the setting's name
 
   bool operator==(const PaneSettings&) const = default;
 };
-
-// Which of them.
-enum class PaneSetting { Parameters, Kernel, Read, Format, MapSize, Samples, Cascades, Bias };
 
 struct Pane {
   std::string technique;
@@ -65,18 +57,6 @@ std::string_view nameOf(ComparisonMode mode);
 // Throws BadCommandLine for an unknown name and lists the right ones. `where` is what the message
 // begins with: a file and key.
 ComparisonMode comparisonModeFrom(std::string_view name, std::string_view where);
-
-// Calls `visit(own, value, setting)` for every setting of a frame that a pane may have of its own.
-template <class Settings, class Frame, class Visit>
-void visitFrame(Settings& own, Frame& frame, Visit visit) {
-  visit(own.kernel, frame.kernel, PaneSetting::Kernel);
-  visit(own.read, frame.read, PaneSetting::Read);
-  visit(own.format, frame.map.format, PaneSetting::Format);
-  visit(own.mapSize, frame.map.size, PaneSetting::MapSize);
-  visit(own.samples, frame.map.samples, PaneSetting::Samples);
-  visit(own.cascades, frame.map.cascades, PaneSetting::Cascades);
-  visit(own.bias, frame.bias, PaneSetting::Bias);
-}
 
 // Panes that share every setting.
 std::vector<Pane> linkedPanes(const std::vector<std::string>& techniques);

@@ -3,14 +3,33 @@
 #include <algorithm>
 #include <utility>
 
+#include "datasets/session/SessionSettings.h"
+
 namespace umbra {
 namespace {
 
-// Calls `visit(own, value, setting)` for every setting; `values` are the session's for the pane.
-template <class Visit>
-void visitAll(PaneSettings& own, const Session& values, const std::string& technique, Visit visit) {
-  visit(own.parameters, parametersOf(values, technique), PaneSetting::Parameters);
-  visitFrame(own, values.frame, visit);
+// Returns the settings of a frame that belong to one group of a pane's own.
+std::vector<Setting> settingsOf(FrameSettings& frame, PaneSetting which) {
+  std::vector<Setting> settings = settingsOf(frame);
+  std::erase_if(settings, [&](const Setting& setting) { return setting.info.pane != which; });
+  return settings;
+}
+
+// Makes one group of `values` the pane's own; `technique` is what the pane shows.
+void takeOver(PaneSettings& own, PaneSetting which, const Session& values,
+              const std::string& technique) {
+  if (which == PaneSetting::Parameters)
+    return void(own.parameters = parametersOf(values, technique));
+  FrameSettings frame = values.frame;
+  for (const Setting& setting : settingsOf(frame, which))
+    own.values[std::string(setting.info.name)] = setting.get();
+}
+
+void giveUp(PaneSettings& own, PaneSetting which) {
+  if (which == PaneSetting::Parameters) return own.parameters.reset();
+  FrameSettings frame;
+  for (const Setting& setting : settingsOf(frame, which))
+    own.values.erase(std::string(setting.info.name));
 }
 
 // While `change` is at work, the session is what the panes share and own settings are in every
@@ -26,8 +45,7 @@ void whileShared(Session& session, Change change) {
 
 Pane detached(const Session& shown) {
   Pane pane{shown.technique, {}};
-  visitAll(pane.own, shown, shown.technique,
-           [](auto& own, const auto& value, PaneSetting) { own = value; });
+  for (const PaneSetting which : paneSettings) takeOver(pane.own, which, shown, shown.technique);
   return pane;
 }
 
@@ -60,31 +78,28 @@ void insertBeside(Comparison& comparison, std::size_t pane, Pane copy) {
 
 }  // namespace
 
-bool hasOwn(const Pane& pane, PaneSetting setting) {
-  if (setting == PaneSetting::Parameters) return pane.own.parameters.has_value();
-  bool found = false;
-  const FrameSettings none;
-  visitFrame(pane.own, none, [&](const auto& own, const auto&, PaneSetting which) {
-    found = found || (which == setting && own.has_value());
+bool hasOwn(const Pane& pane, PaneSetting which) {
+  if (which == PaneSetting::Parameters) return pane.own.parameters.has_value();
+  FrameSettings frame;
+  const std::vector<Setting> settings = settingsOf(frame, which);
+  return std::any_of(settings.begin(), settings.end(), [&](const Setting& setting) {
+    return pane.own.values.contains(std::string(setting.info.name));
   });
-  return found;
 }
 
-void setOwn(Session& session, std::size_t pane, PaneSetting setting, bool own) {
+void setOwn(Session& session, std::size_t pane, PaneSetting which, bool own) {
   whileShared(session, [&](std::vector<Pane>& panes) {
-    visitAll(panes[pane].own, session, panes[pane].technique,
-             [&](auto& held, const auto& shared, PaneSetting which) {
-               if (which != setting || own == held.has_value()) return;
-               if (own)
-                 held = shared;
-               else
-                 held.reset();
-             });
+    Pane& changed = panes[pane];
+    if (own == hasOwn(changed, which)) return;
+    if (own)
+      takeOver(changed.own, which, session, changed.technique);
+    else
+      giveUp(changed.own, which);
   });
 }
 
 void setLinked(Session& session, std::size_t pane, bool linked) {
-  for (int i = 0; i <= int(PaneSetting::Bias); ++i) setOwn(session, pane, PaneSetting(i), !linked);
+  for (const PaneSetting which : paneSettings) setOwn(session, pane, which, !linked);
 }
 
 void duplicatePane(Session& session, std::size_t pane) {
@@ -98,12 +113,12 @@ void copyActiveSettings(Session& session, std::size_t pane) {
   whileShared(session, [&](std::vector<Pane>& panes) {
     const Pane& active = panes[session.comparison.active];
     Pane& changed = panes[pane];
-    visitAll(changed.own, shown, changed.technique,
-             [&](auto& own, const auto& value, PaneSetting which) {
-               const bool parameters = which == PaneSetting::Parameters;
-               if (parameters && changed.technique != active.technique) return;
-               if (own || hasOwn(active, which)) own = value;
-             });
+    for (const PaneSetting which : paneSettings) {
+      const bool parameters = which == PaneSetting::Parameters;
+      if (parameters && changed.technique != active.technique) continue;
+      if (hasOwn(changed, which) || hasOwn(active, which))
+        takeOver(changed.own, which, shown, changed.technique);
+    }
   });
 }
 

@@ -1,8 +1,8 @@
 #include "datasets/session/PaneLabels.h"
 
 #include <algorithm>
-#include <array>
 
+#include "filters/core/settings/SettingsTable.h"
 #include "filters/core/support/Text.h"
 
 namespace umbra {
@@ -11,104 +11,47 @@ namespace {
 // Of one setting for every pane; empty where a pane has nothing of the kind.
 using Column = std::vector<std::string>;
 
-std::string kernelText(const FrameSettings& frame) {
-  switch (frame.kernel.shape) {
-    case KernelShape::None:
-      return "no prefilter";
-    case KernelShape::Gaussian:
-      return "Gaussian";
-    case KernelShape::Box:
-      break;
-  }
-  return "box";
-}
-
-std::string radiusText(const FrameSettings& frame) {
-  const bool blurs = frame.kernel.shape != KernelShape::None;
-  return blurs ? "radius " + std::to_string(frame.kernel.radius) : "";
-}
-
-std::string sigmaText(const FrameSettings& frame) {
-  const bool set = frame.kernel.shape == KernelShape::Gaussian && frame.kernel.sigma > 0.0;
-  return set ? "σ " + shortNumber(frame.kernel.sigma) : "";
-}
-
-std::string readText(const FrameSettings& frame) {
-  switch (frame.read.filter) {
-    case ReadFilter::Anisotropic:
-      return "anisotropic ×" + std::to_string(frame.read.anisotropy);
-    case ReadFilter::SummedArea:
-      return "summed area";
-    default:
-      return std::string(nameOf(frame.read.filter));
-  }
-}
-
-std::string boxText(const FrameSettings& frame) {
-  if (frame.read.filter != ReadFilter::SummedArea) return "";
-  std::string text = "box by " + std::string(nameOf(frame.read.satSize));
-  if (frame.read.satSize == SatSize::Fixed) return "fixed box";
-  if (frame.read.satSize == SatSize::Distance && frame.read.satDistance > 0.0)
-    text += " " + shortNumber(frame.read.satDistance);
+// Puts the number in place of #, and leaves out the plural's s after a count of one.
+std::string withNumber(std::string_view pattern, double number) {
+  std::string text(pattern);
+  text.replace(text.find('#'), 1, shortNumber(number));
+  if (pattern.starts_with('#') && number == 1.0 && text.ends_with('s')) text.pop_back();
   return text;
 }
 
-std::string sumsText(const FrameSettings& frame) {
-  const bool sums = frame.read.filter == ReadFilter::SummedArea;
-  return sums ? std::string(nameOf(frame.read.satPrecision)) + " sums" : "";
+std::string labelOf(const SettingRow<FrameSettings>& row, const FrameSettings& frame) {
+  const SettingInfo& info = row.info;
+  if (!info.pane || row.idleIn(frame)) return {};
+  const SettingValue value = row.valueIn(frame);
+  std::size_t which = 0;
+  if (const auto* name = std::get_if<std::string>(&value))
+    which = std::size_t(std::find(info.choices.begin(), info.choices.end(), *name) -
+                        info.choices.begin());
+  else if (const bool* on = std::get_if<bool>(&value))
+    which = *on;
+  else if (const auto* list = std::get_if<std::vector<double>>(&value))
+    which = !list->empty();
+  else if (const double* real = std::get_if<double>(&value))
+    return *real == 0.0 && !info.automatic.empty() ? "" : withNumber(info.labels[0], *real);
+  else
+    return withNumber(info.labels[0], std::get<int>(value));
+  return std::string(info.labels[which]);
 }
 
-std::string formatText(const FrameSettings& frame) {
-  switch (frame.map.format) {
-    case StorageFormat::Unorm8:
-      return "8 bit";
-    case StorageFormat::Unorm16:
-      return "16 bit";
-    default:
-      return std::string(nameOf(frame.map.format));
+// Makes a column for each setting that a pane may have of its own, except for those whose label
+// continues the one before.
+std::vector<Column> frameColumns(const std::vector<Session>& panes) {
+  std::vector<Column> columns;
+  for (const auto& row : frameTable()) {
+    if (!row.info.pane) continue;
+    const bool goesOn = row.info.labels[0].starts_with(' ');
+    if (!goesOn) columns.emplace_back(panes.size());
+    for (std::size_t i = 0; i < panes.size(); ++i) {
+      columns.back()[i] += labelOf(row, panes[i].frame);
+    }
   }
+  return columns;
 }
-
-std::string sizeText(const FrameSettings& frame) {
-  return "map " + std::to_string(frame.map.size);
-}
-
-std::string samplesText(const FrameSettings& frame) {
-  const int count = frame.map.samples;
-  return count == 1 ? "1 sample" : std::to_string(count) + " samples";
-}
-
-std::string cascadesText(const FrameSettings& frame) {
-  const int count = frame.map.cascades.count;
-  return count == 1 ? "1 cascade" : std::to_string(count) + " cascades";
-}
-
-std::string cutText(const FrameSettings& frame) {
-  const CascadeSettings& cascades = frame.map.cascades;
-  if (cascades.count == 1) return "";
-  return "split λ " + shortNumber(cascades.splitLambda) + ", seam " + shortNumber(cascades.seam) +
-         (cascades.frozen ? ", frozen" : "");
-}
-
-std::string biasText(const FrameSettings& frame) {
-  return "bias " + shortNumber(frame.bias.constant);
-}
-
-std::string slopeText(const FrameSettings& frame) {
-  return "slope bias " + shortNumber(frame.bias.slope);
-}
-
-std::string planeText(const FrameSettings& frame) {
-  return frame.bias.receiverPlane ? "receiver-plane bias" : "no receiver-plane bias";
-}
-
-std::string facesText(const FrameSettings& frame) {
-  return frame.bias.cullFrontFaces ? "front faces culled" : "front faces kept";
-}
-
-constexpr std::array frameTexts{kernelText, radiusText, sigmaText, readText,    boxText,
-                                sumsText,   formatText, sizeText,  samplesText, cascadesText,
-                                cutText,    biasText,   slopeText, planeText,   facesText};
 
 // Where more than half of them have the same text, that goes without saying.
 void addWhereDifferent(std::vector<std::string>& labels, const Column& column,
@@ -168,11 +111,7 @@ std::vector<std::string> paneLabels(const Session& session, const TechniqueCatal
   }
   std::vector<std::string> labels(panes.size());
   addParameters(labels, panes, catalogue);
-  for (const auto& textOf : frameTexts) {
-    Column column;
-    for (const Session& pane : panes) column.push_back(textOf(pane.frame));
-    addWhereDifferent(labels, column, all);
-  }
+  for (const Column& column : frameColumns(panes)) addWhereDifferent(labels, column, all);
   return labels;
 }
 

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "datasets/maps/DepthFile.h"
+#include "datasets/session/file/SchemaCheck.h"
 #include "tests/cli/Process.h"
 #include "tests/cli/SmallMap.h"
 
@@ -97,8 +98,11 @@ TEST_F(Encode, TheFileExplainsItself) {
   EXPECT_EQ(attributeOf(out, "umbrascope.version"), UMBRASCOPE_VERSION);
   EXPECT_EQ(attributeOf(out, "vsm.min-variance"), "2e-05");
   EXPECT_EQ(attributeOf(out, "vsm.bleed-reduction"), "0");
-  const Json session = Json::parse(attributeOf(out, "umbrascope.session"), nullptr, false);
-  EXPECT_TRUE(session.is_object()) << session;
+  EXPECT_EQ(attributeOf(out, "kernel.radius"), "5");
+  EXPECT_EQ(attributeOf(out, "bias.receiver-plane"), "on");
+  const auto session = nlohmann::ordered_json::parse(attributeOf(out, "umbrascope.session"));
+  const auto schema = nlohmann::ordered_json::parse(run({"settings", "--schema"}).out);
+  EXPECT_EQ(schemaFault(schema, session, "session"), "");
 }
 
 TEST_F(Encode, ASessionInTheFileMakesTheSameFileAgain) {

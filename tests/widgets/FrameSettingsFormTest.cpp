@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QTest>
 
+#include "filters/core/settings/SettingsTable.h"
 #include "ui/widgets/forms/Controls.h"
 
 namespace umbra {
@@ -71,6 +72,26 @@ TEST_F(FrameSettingsFormTest, SigmaIsAutomaticOrWithinTheKernelsRange) {
     sigma->setValue(typed);
     EXPECT_EQ(form.settings().kernel.sigma, taken) << typed;
   }
+}
+
+// Whatever a slider spans, its box takes what an option takes.
+TEST_F(FrameSettingsFormTest, BoxesTakeTheRangesOfTheTable) {
+  std::size_t boxes = 0;
+  for (const auto& row : frameTable()) {
+    const SettingInfo& info = row.info;
+    if (info.name == "view.mode") continue;
+    auto* editor = form.findChild<QWidget*>(QString::fromUtf8(info.name.data()));
+    ASSERT_NE(editor, nullptr) << info.name;
+    const std::string help = editor->toolTip().toStdString();
+    EXPECT_NE(help.find("<b>" + std::string(info.name)), std::string::npos) << help;
+    const auto* box = editor->findChild<QDoubleSpinBox*>();
+    if (!box) continue;
+    ++boxes;
+    EXPECT_EQ(box->minimum(), info.automatic.empty() ? info.low : 0.0) << info.name;
+    EXPECT_EQ(box->maximum(), info.high) << info.name;
+    EXPECT_NE(help.find(rangeText(info)), std::string::npos) << help;
+  }
+  EXPECT_EQ(boxes, 7u);
 }
 
 TEST_F(FrameSettingsFormTest, EveryBoxNamesItsChange) {

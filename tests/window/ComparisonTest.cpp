@@ -161,7 +161,7 @@ void WindowTest::whatAPaneCannotShowIsSaidThere() {
   // of it.
   window.controller().edit("Read otherwise", [](Session& s) {
     setOwn(s, 1, PaneSetting::Read, true);
-    s.comparison.panes[1].own.read->filter = ReadFilter::Bilinear;
+    s.comparison.panes[1].own.values["read.filter"] = std::string("bilinear");
   });
   settlePanes();
   QVERIFY(!panes.picture(1).picture().isNull());

@@ -108,9 +108,9 @@ void WindowTest::aPanesErrorIsOfItsOwnSettings() {
   // A wipe's sides are of one size: the probe is in the same pixel of both.
   Session session = comparing(ComparisonMode::Wipe, {"vsm", "vsm"});
   setLinked(session, 1, false);
-  session.comparison.panes[1].own.kernel->radius = 14;
-  session.comparison.panes[1].own.mapSize = 512;
-  session.comparison.panes[1].own.cascades->count = 2;
+  session.comparison.panes[1].own.values["kernel.radius"] = 14;
+  session.comparison.panes[1].own.values["map.size"] = 512;
+  session.comparison.panes[1].own.values["cascades.count"] = 2;
   MainWindow& window = open(session);
   settlePanes();
   ComparisonPanes& panes = window.centre().comparison();

@@ -90,6 +90,11 @@ void JsonObject::readName(
   }
 }
 
+void JsonObject::readValue(std::string_view key,
+                           const std::function<void(const Json&, const std::string&)>& visit) {
+  if (const Json* value = find(key)) visit(*value, whereOf(key));
+}
+
 void JsonObject::readVector(std::string_view key, double (&target)[3]) {
   const Json* value = find(key);
   if (!value) return;

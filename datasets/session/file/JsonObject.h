@@ -26,6 +26,9 @@ class JsonObject {
   void readName(
       std::string_view key,
       const std::function<void(const std::string& name, const std::string& where)>& parse);
+  // Calls `visit` with the value at `key`, whatever it is, and with file and key.
+  void readValue(std::string_view key, const std::function<void(const nlohmann::ordered_json& value,
+                                                                const std::string& where)>& visit);
   // Exactly three finite numbers.
   void readVector(std::string_view key, double (&target)[3]);
   // Calls `visit` with the object at `key`.

@@ -6,9 +6,9 @@
 #include "datasets/session/file/JsonObject.h"
 #include "datasets/session/file/JsonText.h"
 #include "datasets/session/file/SessionFileCompare.h"
-#include "datasets/session/file/SessionFileFrame.h"
 #include "datasets/session/file/SessionFileParameters.h"
 #include "datasets/session/file/SessionFileProbes.h"
+#include "datasets/session/file/SessionFileSettings.h"
 #include "filters/core/support/AtomicFile.h"
 #include "filters/core/support/Error.h"
 
@@ -17,8 +17,6 @@ namespace umbra {
 using Json = nlohmann::ordered_json;
 
 namespace {
-
-constexpr const char* formatName = "umbrascope-session/1";
 
 Json sourceJson(const SceneSource& source) {
   switch (source.kind) {
@@ -81,24 +79,16 @@ void readSource(JsonObject& object, SceneSource& source) {
   }
 }
 
-Json lightJson(const Light& light) {
-  return {{"kind", nameOf(light.kind)},        {"position", pointJson(light.position)},
-          {"target", pointJson(light.target)}, {"halfAngle", light.halfAngle},
-          {"colour", pointJson(light.colour)}, {"intensity", light.intensity}};
-}
-
-Light lightFrom(JsonObject& object) {
-  Light light;
-  object.readName("kind", [&](const std::string& name, const std::string& where) {
-    light.kind = lightKindFrom(name, where);
-  });
-  readPoint(object, "position", light.position);
-  readPoint(object, "target", light.target);
-  object.read("halfAngle", light.halfAngle, Light::smallestHalfAngle, Light::largestHalfAngle);
-  readPoint(object, "colour", light.colour);
-  object.read("intensity", light.intensity, 0.0, Light::largestIntensity);
-  validate(light, object.where());
-  return light;
+Pixel pixelFrom(const Json& value, const std::string& where) {
+  constexpr int largest = Session::largestSide - 1;
+  double x = 0.0, y = 0.0;
+  readPair(value, where, x, y);
+  const auto fits = [&](double n) { return n >= 0 && n <= largest && n == std::floor(n); };
+  if (!fits(x) || !fits(y))
+    throw Error(ErrorKind::BadInput, where + ": " + value.dump() +
+                                         " should be two whole numbers from 0 to " +
+                                         std::to_string(largest));
+  return {int(x), int(y)};
 }
 
 }  // namespace
@@ -106,16 +96,16 @@ Light lightFrom(JsonObject& object) {
 Json toJson(const Session& active) {
   Session session = active;
   if (!(session.comparison == Comparison{})) takeApart(session);
-  Json json{{"format", formatName}, {"source", sourceJson(session.source)}};
+  Json json{{"format", sessionFormat}, {"source", sourceJson(session.source)}};
   if (session.light) json["light"] = lightJson(*session.light);
   if (session.camera) json["camera"] = cameraJson(*session.camera);
-  json["frame"] = frameJson(session.frame);
+  writeSettings(json["frame"], settingsOf(session.frame));
   json["technique"] = session.technique;
   json["parameters"] = Json::object();
   for (const auto& [id, values] : session.parameters)
     if (!values.empty()) json["parameters"][id] = toJson(values);
   if (!(session.comparison == Comparison{})) json["compare"] = comparisonJson(session);
-  json["size"] = {session.width, session.height};
+  writeSettings(json, pictureSettingsOf(session));
   if (session.probe) json["probe"] = {session.probe->x, session.probe->y};
   if (session.receiver) json["receiver"] = *session.receiver;
   if (!session.probes.empty()) json["probes"] = probesJson(session.probes);
@@ -128,14 +118,15 @@ Session sessionFrom(const Json& json, std::string_view where) {
   JsonObject object(json, std::string(where));
   std::string format;
   object.read("format", format);
-  if (format != formatName)
+  if (format != sessionFormat)
     throw Error(
         ErrorKind::BadInput,
-        std::string(where) + ": is no session, its \"format\" should be \"" + formatName + "\"");
+        std::string(where) + ": is no session, its \"format\" should be \"" + sessionFormat + "\"");
   object.readObject("source", [&](JsonObject& source) { readSource(source, session.source); });
   object.readObject("light", [&](JsonObject& light) { session.light = lightFrom(light); });
   object.readObject("camera", [&](JsonObject& camera) { session.camera = cameraFrom(camera); });
-  object.readObject("frame", [&](JsonObject& frame) { readFrame(frame, session.frame); });
+  object.readObject("frame",
+                    [&](JsonObject& frame) { readSettings(frame, settingsOf(session.frame)); });
   object.readName("technique", [&](const std::string& id, const std::string& place) {
     session.technique = allTechniques().make(id, place)->info().id;
   });
@@ -148,30 +139,14 @@ Session sessionFrom(const Json& json, std::string_view where) {
   object.read("receiver", receiver, 0.0, 1.0);
   if (receiver >= 0.0) session.receiver = receiver;
   readProbes(object, session);
-  const auto readPixels = [&](const char* key, int low, int high, auto use) {
-    if (!json.contains(key)) return;
-    const std::string place = std::string(where) + ": " + key;
-    double x = 0.0, y = 0.0;
-    readPair(json.at(key), place, x, y);
-    const auto fits = [&](double n) { return n >= low && n <= high && n == std::floor(n); };
-    if (!fits(x) || !fits(y))
-      throw Error(ErrorKind::BadInput, place + ": " + quoted(json.at(key)) +
-                                           " should be two whole numbers from " +
-                                           std::to_string(low) + " to " + std::to_string(high));
-    use(int(x), int(y));
-  };
-  readPixels("size", Session::smallestSide, Session::largestSide,
-             [&](int x, int y) { session.width = x, session.height = y; });
-  readPixels("probe", 0, Session::largestSide - 1, [&](int x, int y) {
-    session.probe = Pixel{x, y};
+  readSettings(object, pictureSettingsOf(session));
+  object.readValue("probe", [&](const Json& value, const std::string& place) {
+    session.probe = pixelFrom(value, place);
   });
   if (!session.keptProbe.empty() && !session.probe)
     throw Error(ErrorKind::BadInput,
                 std::string(where) + ": keptProbe: needs a 'probe', the pixel or texel it is at");
-  object.readRest([&](const std::string& key, const Json&, const std::string& place) {
-    if (key != "size" && key != "probe")
-      throw Error(ErrorKind::BadInput, place + ": there is no such key");
-  });
+  object.finish();
   return session;
 }
 

@@ -1,4 +1,5 @@
-// Sessions as JSON: for files, for the window's memory and inside exported pictures.
+// Sessions as JSON: for files, for the window's memory and inside exported pictures. Light, camera,
+// frame and size are read and written by the tables of settings (SessionSettings.h); an example:
 //
 // {"format": "umbrascope-session/1",
 //  "source": {"scene": "tree-bench", "parameters": {"a": 0.1}}
@@ -40,6 +41,8 @@
 #include "datasets/session/file/SessionFileParameters.h"
 
 namespace umbra {
+
+inline constexpr const char* sessionFormat = "umbrascope-session/1";
 
 nlohmann::ordered_json toJson(const Session& session);
 // `where` is what errors begin with, the file's name. Throws BadInput for an unknown key, a wrong

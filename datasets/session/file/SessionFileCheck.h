@@ -6,7 +6,9 @@
 #include <string>
 
 #include "datasets/session/PaneEditing.h"
+#include "datasets/session/file/SchemaCheck.h"
 #include "datasets/session/file/SessionFile.h"
+#include "datasets/session/file/SessionSchema.h"
 #include "filters/core/support/Error.h"
 
 namespace umbra {
@@ -36,6 +38,12 @@ inline Session unusualSession() {
                     {"Ast über \"Bank\"", Eigen::Vector3d(0, 1e8, 0), {}, {}}};
   session.keptProbe = "Bench";
   return session;
+}
+
+// Writes the session as a file and checks the file against its schema.
+inline std::string written(const Session& session) {
+  EXPECT_EQ(schemaFault(sessionSchema(), toJson(session), "session"), "");
+  return sessionToText(session);
 }
 
 // The message of the error that reading `text` ends in.

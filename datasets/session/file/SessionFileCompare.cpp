@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "datasets/session/file/JsonText.h"
-#include "datasets/session/file/SessionFileFrame.h"
 #include "datasets/session/file/SessionFileParameters.h"
+#include "datasets/session/file/SessionFileSettings.h"
 #include "filters/core/support/Error.h"
 #include "filters/core/support/Text.h"
 
@@ -16,29 +16,6 @@ namespace umbra {
 using Json = nlohmann::ordered_json;
 
 namespace {
-
-// Of the keys of frameJson(), those of one setting.
-std::vector<std::string> frameKeys(PaneSetting setting) {
-  switch (setting) {
-    case PaneSetting::Kernel:
-      return {"kernel"};
-    case PaneSetting::Read:
-      return {"filter", "anisotropy", "sat"};
-    case PaneSetting::Format:
-      return {"format"};
-    case PaneSetting::MapSize:
-      return {"mapSize"};
-    case PaneSetting::Samples:
-      return {"msaa"};
-    case PaneSetting::Cascades:
-      return {"cascades"};
-    case PaneSetting::Bias:
-      return {"bias"};
-    case PaneSetting::Parameters:  // are no part of the frame
-      break;
-  }
-  return {};
-}
 
 [[noreturn]] void refuse(const std::string& where, const std::string& why) {
   throw Error(ErrorKind::BadInput, where + ": " + why);
@@ -62,14 +39,13 @@ Json paneJson(const Pane& pane, bool active) {
   if (active) json["active"] = true;
   if (pane.own.parameters) json["parameters"] = toJson(*pane.own.parameters);
   FrameSettings frame;
-  visitFrame(pane.own, frame, [](const auto& own, auto& value, PaneSetting) {
-    if (own) value = *own;
+  std::vector<Setting> own = paneSettingsOf(frame);
+  std::erase_if(own, [&](const Setting& setting) {
+    const auto found = pane.own.values.find(std::string(setting.info.name));
+    if (found != pane.own.values.end()) setting.put(found->second);
+    return found == pane.own.values.end();
   });
-  const Json all = frameJson(frame);
-  visitFrame(pane.own, frame, [&](const auto& own, const auto&, PaneSetting setting) {
-    if (!own) return;
-    for (const std::string& key : frameKeys(setting)) json[key] = all.at(key);
-  });
+  writeSettings(json, own);
   return json;
 }
 
@@ -87,12 +63,11 @@ Pane paneFrom(const Json& value, const std::string& where, const FrameSettings& 
   });
   FrameSettings frame = shared;
   if (value.contains("cascades")) frame.map.cascades.frozen.reset();  // absent means so
-  readMapAndReads(object, frame);
+  readSettings(object, paneSettingsOf(frame));
   object.finish();
-  visitFrame(pane.own, frame, [&](auto& own, const auto& read, PaneSetting setting) {
-    for (const std::string& key : frameKeys(setting))
-      if (value.contains(key)) own = read;
-  });
+  for (const Setting& setting : paneSettingsOf(frame))
+    for (const std::string& key : paneKeys(*setting.info.pane))
+      if (value.contains(key)) pane.own.values[std::string(setting.info.name)] = setting.get();
   return pane;
 }
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "datasets/session/file/JsonText.h"
-#include "datasets/session/file/SessionFileFrame.h"
+#include "datasets/session/file/SessionFileSettings.h"
 #include "filters/core/support/Error.h"
 #include "filters/core/support/Text.h"
 

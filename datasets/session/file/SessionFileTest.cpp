@@ -24,8 +24,8 @@ class SessionFileTest : public testing::Test {
 
 TEST_F(SessionFileTest, EverythingSurvivesTheWayThereAndBack) {
   const Session session = unusualSession();
-  EXPECT_EQ(sessionFromText(sessionToText(session), "s.json"), session);
-  EXPECT_EQ(sessionFromText(sessionToText(Session{}), "s.json"), Session{});
+  EXPECT_EQ(sessionFromText(written(session), "s.json"), session);
+  EXPECT_EQ(sessionFromText(written(Session{}), "s.json"), Session{});
 }
 
 TEST_F(SessionFileTest, AbsentKeysHaveTheirDefaults) {
@@ -36,10 +36,10 @@ TEST_F(SessionFileTest, DepthAndMeshSourcesSurvive) {
   Session depth;
   depth.source = {SourceKind::DepthFile, "m.exr", "Z", -1.5, 40.0, {}};
   depth.probes = {{"a", {}, Pixel{0, 16383}, {}}, {"b", {}, Pixel{7, 0}, 1.0}};
-  EXPECT_EQ(sessionFromText(sessionToText(depth), "s.json"), depth);
+  EXPECT_EQ(sessionFromText(written(depth), "s.json"), depth);
   Session mesh;
   mesh.source = {SourceKind::MeshFile, "fan.ply", "", 0.0, 1.0, {}};
-  EXPECT_EQ(sessionFromText(sessionToText(mesh), "s.json"), mesh);
+  EXPECT_EQ(sessionFromText(written(mesh), "s.json"), mesh);
 }
 
 TEST_F(SessionFileTest, ErrorsNameFileAndKey) {
@@ -88,7 +88,7 @@ TEST_F(SessionFileTest, MapsAndCascadesBeyondTheirRangesAreRefused) {
     EXPECT_EQ(frameError("\"msaa\": " + std::string(samples)), "no error");
   EXPECT_EQ(frameError("\"msaa\": 3"), "s.json: frame.msaa: 3 is not right, it takes 1, 2, 4 or 8");
   EXPECT_EQ(frameError("\"msaa\": 16"),
-            "s.json: frame.msaa: 16 is not right, it takes a whole number from 1 to 8");
+            "s.json: frame.msaa: 16 is not right, it takes 1, 2, 4 or 8");
   EXPECT_EQ(frameError("\"anisotropy\": 17"),
             "s.json: frame.anisotropy: 17 is not right, it takes a whole number from 1 to 16");
   EXPECT_EQ(frameError("\"cascades\": {\"count\": 5}"),
@@ -126,8 +126,10 @@ TEST_F(SessionFileTest, NumbersBeyondTheirTypeAreRefused) {
             "s.json: cannot be read: number overflow parsing '1e400'");
   EXPECT_EQ(sessionErrorOf(sessionWith(R"("probe": [1e300, 2])")),
             "s.json: probe: [1e+300,2] should be two whole numbers from 0 to 16383");
-  EXPECT_EQ(sessionErrorOf(sessionWith(R"("size": [15, 200])")),
-            "s.json: size: [15,200] should be two whole numbers from 16 to 16384");
+  EXPECT_EQ(
+      sessionErrorOf(sessionWith(R"("size": [15, 200])")),
+      "s.json: size: [15,200] is not right, it takes WIDTHxHEIGHT, in a file [WIDTH, HEIGHT], "
+      "each a whole number from 16 to 16384");
   for (const char* sigma : {"1e-200", "0.0099", "-1", "1000.5"})
     EXPECT_EQ(
         sessionErrorOf(sessionWith(R"("frame": {"kernel": {"sigma": )" + std::string(sigma) + "}}"))
@@ -143,8 +145,10 @@ TEST_F(SessionFileTest, NumbersBeyondTheirTypeAreRefused) {
 TEST_F(SessionFileTest, LightsAndCamerasWithoutAPictureAreRefused) {
   EXPECT_EQ(sessionErrorOf(sessionWith(R"("light": {"position": [1, 2, 3], "target": [1, 2, 3]})")),
             "s.json: light: position and target are the same point, they should differ");
-  EXPECT_EQ(sessionErrorOf(sessionWith(R"("light": {"colour": [1, -1, 1]})")),
-            "s.json: light: the colour is -1, it should be from 0 to 1");
+  EXPECT_EQ(
+      sessionErrorOf(sessionWith(R"("light": {"colour": [1, -1, 1]})")),
+      "s.json: light.colour: [1,-1,1] is not right, it takes X,Y,Z, in a file [X, Y, Z], each "
+      "a number from 0 to 1");
   EXPECT_EQ(sessionErrorOf(sessionWith(R"("camera": {"up": [0, 0, 0]})")),
             "s.json: camera: the up vector has no length, it should point up");
   EXPECT_EQ(
@@ -173,7 +177,7 @@ TEST_F(SessionFileTest, WhatIsNoSessionIsRefused) {
   EXPECT_NE(sessionErrorOf("{}").find("is no session"), std::string::npos);
   EXPECT_NE(sessionErrorOf(R"({"format": "umbrascope-session/2"})").find("is no session"),
             std::string::npos);
-  const std::string whole = sessionToText(unusualSession());
+  const std::string whole = written(unusualSession());
   for (std::size_t length = 0; length + 2 < whole.size(); length += 7)
     EXPECT_NE(sessionErrorOf(whole.substr(0, length)).find("is not JSON"), std::string::npos)
         << length;
@@ -215,6 +219,11 @@ TEST_F(SessionFileTest, AFileThatIsNotThereIsNamed) {
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("none.json"), std::string::npos);
   }
+}
+
+// The file has every key, in the order in which version 0.1 wrote them.
+TEST_F(SessionFileTest, ASessionOfVersion01IsReadAsItWasMeant) {
+  EXPECT_EQ(readSession(fs::path(UMBRASCOPE_EXAMPLES) / "version-0.1.json"), unusualSession());
 }
 
 }  // namespace

@@ -102,9 +102,11 @@ void RealBox::stepBy(int steps) {
   setValue(scale_.stepped(value(), steps));
 }
 
-NumberControl::NumberControl(const SliderScale& scale, const QString& unit, QWidget* parent)
+NumberControl::NumberControl(const SliderScale& scale, const QString& unit, QWidget* parent,
+                             double most)
     : QObject(parent),
       scale_(scale),
+      most_(std::max(most, scale.high)),
       unit_(unit),
       slider_(new Slider(parent)),
       box_(new RealBox(parent)) {
@@ -126,7 +128,7 @@ NumberControl::NumberControl(const SliderScale& scale, const QString& unit, QWid
 void NumberControl::setValue(double value) {
   value_ = value;
   const QSignalBlocker quietSlider(slider_), quietBox(box_);
-  box_->setRange(std::min(scale_.low, value), std::max(scale_.high, value));
+  box_->setRange(std::min(scale_.low, value), std::max(most_, value));
   if (box_->value() != value) box_->setValue(value);
   box_->setSuffix(suffixOf(unit_, value));
   // While the slider is dragged, it stays under the pointer.

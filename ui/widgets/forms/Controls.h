@@ -43,12 +43,14 @@ class NumberControl : public QObject {
   Q_OBJECT
 
  public:
-  NumberControl(const SliderScale& scale, const QString& unit, QWidget* parent);
+  // The box takes numbers up to `most`, where that is more than the slider's scale has.
+  NumberControl(const SliderScale& scale, const QString& unit, QWidget* parent, double most = 0.0);
 
   Slider* slider() { return slider_; }
   RealBox* box() { return box_; }
   double value() const { return value_; }
-  // Emits nothing. A value outside the scale widens the box's range and stands at the slider's end.
+  // Emits nothing. A value outside the box's range widens it; one outside the scale stands at the
+  // slider's end.
   void setValue(double value);
 
  signals:
@@ -59,6 +61,7 @@ class NumberControl : public QObject {
   void take(double value);
 
   SliderScale scale_;
+  double most_;
   QString unit_;
   Slider* slider_;
   RealBox* box_;

@@ -1,21 +1,24 @@
-// "Filter and map": prefilter, read, map, cascades and bias. Rows that do nothing are hidden.
+// "Filter and map": every setting of a frame but its view, as the table declares it. Rows that do
+// nothing are hidden.
 #pragma once
 
 #include <QMetaType>
 #include <functional>
-#include <memory>
+#include <string_view>
+#include <vector>
 
 #include "filters/core/settings/FrameSettings.h"
 #include "ui/widgets/base/Card.h"
 
 namespace umbra {
 
+class SettingEditor;
+
 class FrameSettingsForm : public Card {
   Q_OBJECT
 
  public:
   explicit FrameSettingsForm(QWidget* parent = nullptr);
-  ~FrameSettingsForm() override;
 
   // Shows the settings; emits nothing. The view mode is kept but not shown.
   void setSettings(const FrameSettings& settings);
@@ -29,30 +32,23 @@ class FrameSettingsForm : public Card {
   void setGivenSamples(int samples);
 
  signals:
-  // All settings, one of which changed; `whatChanged` names it for undo: "kernel", "radius",
-  // "sigma", "read", "anisotropy", "box size", "box distance", "table precision", "map size",
-  // "format", "samples", "cascades", "split lambda", "cascade seam", "frozen cascades", "constant
-  // bias", "slope bias", "receiver plane", "front-face culling". Emitted while a slider moves.
+  // All settings, one of which changed; `whatChanged` is its noun in the table, for undo. Emitted
+  // while a slider moves.
   void settingsChanged(const umbra::FrameSettings& settings, const QString& whatChanged);
   // A slider was let go or a box was left: the next change is a new step for undo.
   void editingFinished(const QString& what);
 
  private:
-  struct Controls;
-  void makeRead();
-  void makeMap();
-  void connectControls();
-  void showSettings();  // the settings into the controls
-  void showRead();
-  void showMap();
+  void addRows(std::string_view group);
+  void showSettings();  // the settings into the rows
   void showObstacles();
-  void change(const QString& what);
+  void showGivenSamples();
 
   FrameSettings shown_;
   std::function<QString(const FrameSettings&)> obstacle_;
-  Camera camera_;
   int givenSamples_ = 0;
-  std::unique_ptr<Controls> controls_;
+  std::vector<SettingEditor*> rows_;  // bound to `shown_`
+  QLabel* samplesNotice_ = nullptr;
 };
 
 }  // namespace umbra
