@@ -1,4 +1,5 @@
-// The window as a person uses it.
+// The window as a person uses it: what the classes of tests share. Such a class stands in a file of
+// its name, its cases are its private slots, and the file's make…Test() gives it to Main.cpp.
 #pragma once
 
 #include <QEvent>
@@ -13,79 +14,14 @@ namespace umbra {
 
 constexpr int patience = 60000;  // milliseconds; software OpenGL beside other work
 
-class WindowTest : public QObject {
+class WindowFixture : public QObject {
   Q_OBJECT
 
  private slots:
   void initTestCase();
   void cleanup();
 
-  void theWorstSpotIsInFullShadow();
-  void aFootprintLiesOnItsSurface();
-  void aDirectionalLightTurnsAboutItsTarget();
-  void theFirstFrameShowsWhereLightBleeds();
-  void theTableAgreesWithTheAnalysis();
-  void hoveringProbesAndLeavingKeepsTheProbe();
-  void aPinnedProbeStaysOnItsPoint();
-  void aHiddenProbeFollowsTheParameters();
-  void keptProbesStayOnTheirPoints();
-  void aKeptProbeIsGoneToRenamedAndDeleted();
-  void keptProbesAreSavedAndOpenedAgain();
-  void aKeptProbeOutOfSightIsGoneTo();
-  void keptTexelsAreOfTheirFile();
-  void keptFiguresHideBehindAVeil();
-  void aParameterChangeIsUndoneAndRedone();
-  void theSmallestReductionOfTheRegionIsSetAndPriced();
-  void theSmallestReductionOfThePictureDarkensEveryUmbra();
-  void whatAFormatCannotHoldCannotBeChosen();
-  void aSliderDragIsOneStep();
-  void anotherNumberOfLayersDropsTheSplits();
-  void aSplitIsDragged();
-  void lloydIsSteppedToItsEndAndUndone();
-  void whatLloydPlayedIsOneStep();
-  void aTechniqueWithoutLayersNamesThoseThatHaveThem();
-  void theErrorIsTakenApartAsByHand();
-  void aLassoCountsWhatItCircles();
-  void aPixelOfTheErrorIsProbed();
-  void theErrorOfAnEarlierPictureFades();
-  void withoutAPictureTheErrorSaysWhy();
-  void aWipeIsDragged();
-  void aWipesSidesStayWhereTheyAre();
-  void panesAreLabelledWithTheirErrorAtTheProbe();
-  void aClickedPaneIsTheSessions();
-  void whatAPaneCannotShowIsSaidThere();
-  void aDepthFileTakesThePlaceOfPanes();
-  void aDuplicateIsDrawnWithItsOwnSettings();
-  void anotherPaneBringsItsSettingsToTheControls();
-  void aPanesErrorIsOfItsOwnSettings();
-  void aPanesMenuSharesAndCloses();
-  void whatPanesShowIsKept();
-  void panesWithSettingsAreSavedAndOpened();
-  void digitsSwitchTechniques();
-  void keysSwitchTheView();
-  void draggingTheSunMovesTheLight();
-  void draggingTheReceiverIsStudiedUntilReset();
-  void aMapChannelCanBeLookedAt();
-  void aProbeIsOnTheMapOfItsCascade();
-  void whatATableOfSumsCannotServeCannotBeChosen();
-  void aDockFloatsAndComesBack();
-  void pictureAndPlotsAreWritten();
-  void bleedingIsWrittenOntoTheMesh();
-  void aCancelledMeshLeavesWhatWasThere();
-  void whatHasNoSurfacesIsRefused();
-  void aBadFileLeavesTheSceneOpen();
-  void droppedFacesAreReported();
-  void anotherSceneOpensAndUndoBringsTheFirstBack();
-  void aSceneParameterRebuildsTheScene();
-  void aDepthFileIsProbedByTexel();
-  void aRestartBringsSessionAndLayoutBack();
-  void theSmallestScreenHoldsEverything();
-  void lightBleedingIsPredictedThenMeasured();
-  void aLessonIsWalkedByKeyAndKeepsItsPredictions();
-  void aLessonLeavesOnesOwnSessionAsItWas();
-  void quittingInALessonRemembersOnesOwnSession();
-
- private:
+ protected:
   // A window of 1300 × 800 on the session, its first frame drawn.
   MainWindow& open(const Session& session = {});
   // Waits until the last frame shows the present session and every pane follows it.
@@ -94,15 +30,13 @@ class WindowTest : public QObject {
              Qt::MouseButtons buttons);
   // Settles, and waits until the pictures beside the view have followed it.
   void settlePanes();
-  // Settles, and waits until every kept probe has been read.
-  void settleKept();
   void click(const Pixel& pixel);
   void key(int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
   QPointF pointOf(const Pixel& pixel);
   // The result of technique `id` in the present report.
   const TechniqueResult& result(const char* id);
 
-  QTemporaryDir folder_;
+  QTemporaryDir folder_;  // of the settings, and for files
   std::unique_ptr<MainWindow> window_;
 };
 
