@@ -8,7 +8,7 @@
 #include "datasets/session/PaneEditing.h"
 #include "datasets/session/file/SessionFile.h"
 #include "tests/window/Pictures.h"
-#include "tests/window/WindowTest.h"
+#include "tests/window/WindowFixture.h"
 #include "ui/panes/ComparisonPanes.h"
 #include "ui/panes/PaneHeader.h"
 #include "ui/panes/WipeHandle.h"
@@ -20,13 +20,20 @@
 #include "ui/window/CentrePane.h"
 
 namespace umbra {
-void WindowTest::settlePanes() {
-  settle();
-  ComparisonPanes& panes = window_->centre().comparison();
-  QVERIFY(QTest::qWaitFor([&] { return panes.upToDate(); }, 60000));
-}
 
-void WindowTest::aWipeIsDragged() {
+class ComparisonTest : public WindowFixture {
+  Q_OBJECT
+
+ private slots:
+  void aWipeIsDragged();
+  void aWipesSidesStayWhereTheyAre();
+  void panesAreLabelledWithTheirErrorAtTheProbe();
+  void aClickedPaneIsTheSessions();
+  void whatAPaneCannotShowIsSaidThere();
+  void aDepthFileTakesThePlaceOfPanes();
+};
+
+void ComparisonTest::aWipeIsDragged() {
   MainWindow& window = open(comparing(ComparisonMode::Wipe, {"vsm", "pcf"}));
   settlePanes();
   WipeHandle& wipe = window.centre().comparison().wipe();
@@ -59,7 +66,7 @@ void WindowTest::aWipeIsDragged() {
   QVERIFY(window.view().overlayContents().curtain.isNull());
 }
 
-void WindowTest::aWipesSidesStayWhereTheyAre() {
+void ComparisonTest::aWipesSidesStayWhereTheyAre() {
   MainWindow& window = open(comparing(ComparisonMode::Wipe, {"vsm", "pcf"}));
   settlePanes();
   ComparisonPanes& panes = window.centre().comparison();
@@ -85,7 +92,7 @@ void WindowTest::aWipesSidesStayWhereTheyAre() {
   QVERIFY(liveFrame(window) == left);
 }
 
-void WindowTest::panesAreLabelledWithTheirErrorAtTheProbe() {
+void ComparisonTest::panesAreLabelledWithTheirErrorAtTheProbe() {
   const std::vector<std::string> techniques{"vsm", "lvsm", "pcf"};
   MainWindow& window = open(comparing(ComparisonMode::Grid, techniques));
   settlePanes();
@@ -112,7 +119,7 @@ void WindowTest::panesAreLabelledWithTheirErrorAtTheProbe() {
   QVERIFY(labelled());
 }
 
-void WindowTest::aClickedPaneIsTheSessions() {
+void ComparisonTest::aClickedPaneIsTheSessions() {
   const std::vector<std::string> techniques{"vsm", "pcf", "hard", "msm", "esm", "lvsm"};
   MainWindow& window = open(comparing(ComparisonMode::Grid, techniques));
   settlePanes();
@@ -143,7 +150,7 @@ void WindowTest::aClickedPaneIsTheSessions() {
   QVERIFY(!panes.picture(0).isVisible());
 }
 
-void WindowTest::whatAPaneCannotShowIsSaidThere() {
+void ComparisonTest::whatAPaneCannotShowIsSaidThere() {
   Session session = comparing(ComparisonMode::Grid, {"vsm", "power-cdf"});
   session.frame.read.filter = ReadFilter::SummedArea;
   MainWindow& window = open(session);
@@ -175,7 +182,7 @@ void WindowTest::whatAPaneCannotShowIsSaidThere() {
   QVERIFY(panes.picture(1).message().isEmpty());
 }
 
-void WindowTest::aDepthFileTakesThePlaceOfPanes() {
+void ComparisonTest::aDepthFileTakesThePlaceOfPanes() {
   MainWindow& window = open(comparing(ComparisonMode::Grid, {"vsm", "pcf"}));
   settlePanes();
   const QString file = folder_.filePath("beside-panes.exr");
@@ -196,4 +203,10 @@ void WindowTest::aDepthFileTakesThePlaceOfPanes() {
   QVERIFY(window.centre().comparison().picture(1).isVisible());
 }
 
+std::unique_ptr<QObject> makeComparisonTest() {
+  return std::make_unique<ComparisonTest>();
+}
+
 }  // namespace umbra
+
+#include "ComparisonTest.moc"

@@ -7,7 +7,7 @@
 #include <QTableView>
 #include <QTest>
 
-#include "tests/window/WindowTest.h"
+#include "tests/window/WindowFixture.h"
 #include "ui/picture/SceneView.h"
 #include "ui/probe/EvidencePanes.h"
 #include "ui/probe/Prober.h"
@@ -29,7 +29,26 @@ QSlider* sliderOf(MainWindow& window, const char* parameter) {
 
 }  // namespace
 
-void WindowTest::aParameterChangeIsUndoneAndRedone() {
+class EditingTest : public WindowFixture {
+  Q_OBJECT
+
+ private slots:
+  void aParameterChangeIsUndoneAndRedone();
+  void theSmallestReductionOfTheRegionIsSetAndPriced();
+  void theSmallestReductionOfThePictureDarkensEveryUmbra();
+  void whatAFormatCannotHoldCannotBeChosen();
+  void anotherNumberOfLayersDropsTheSplits();
+  void aSliderDragIsOneStep();
+  void digitsSwitchTechniques();
+  void keysSwitchTheView();
+  void draggingTheSunMovesTheLight();
+  void draggingTheReceiverIsStudiedUntilReset();
+  void aMapChannelCanBeLookedAt();
+  void aProbeIsOnTheMapOfItsCascade();
+  void whatATableOfSumsCannotServeCannotBeChosen();
+};
+
+void EditingTest::aParameterChangeIsUndoneAndRedone() {
   MainWindow& window = open();
   const double before = result("vsm").visibility;
   QSlider* slider = sliderOf(window, "bleed-reduction");
@@ -52,7 +71,7 @@ void WindowTest::aParameterChangeIsUndoneAndRedone() {
   QVERIFY(std::abs(result("vsm").visibility - expected) < 1e-12);
 }
 
-void WindowTest::theSmallestReductionOfTheRegionIsSetAndPriced() {
+void EditingTest::theSmallestReductionOfTheRegionIsSetAndPriced() {
   MainWindow& window = open();
   const double reference = window.prober().report()->probe.reference;
   const double before = result("vsm").visibility;
@@ -73,7 +92,7 @@ void WindowTest::theSmallestReductionOfTheRegionIsSetAndPriced() {
   QVERIFY(tools.said().isEmpty());
 }
 
-void WindowTest::theSmallestReductionOfThePictureDarkensEveryUmbra() {
+void EditingTest::theSmallestReductionOfThePictureDarkensEveryUmbra() {
   Session session;
   session.source.name = "three-planes";
   MainWindow& window = open(session);
@@ -102,7 +121,7 @@ void WindowTest::theSmallestReductionOfThePictureDarkensEveryUmbra() {
   QVERIFY(brightestUmbra() > 1e-3);
 }
 
-void WindowTest::whatAFormatCannotHoldCannotBeChosen() {
+void EditingTest::whatAFormatCannotHoldCannotBeChosen() {
   MainWindow& window = open();
   window.controller().edit("format",
                            [](Session& s) { s.frame.map.format = StorageFormat::Unorm16; });
@@ -123,7 +142,7 @@ void WindowTest::whatAFormatCannotHoldCannotBeChosen() {
   QVERIFY(dash);
 }
 
-void WindowTest::anotherNumberOfLayersDropsTheSplits() {
+void EditingTest::anotherNumberOfLayersDropsTheSplits() {
   MainWindow& window = open();
   window.controller().edit("Choose", [](Session& session) { session.technique = "lvsm"; });
   const auto change = [&](const char* name, const ParameterValue& value) {
@@ -141,7 +160,7 @@ void WindowTest::anotherNumberOfLayersDropsTheSplits() {
   QVERIFY(window.controller().technique().clone()->adaptedSplitCount() > 0);
 }
 
-void WindowTest::aSliderDragIsOneStep() {
+void EditingTest::aSliderDragIsOneStep() {
   MainWindow& window = open();
   QUndoStack& undo = window.controller().undoStack();
   QSlider* slider = sliderOf(window, "bleed-reduction");
@@ -153,7 +172,7 @@ void WindowTest::aSliderDragIsOneStep() {
   settle();
 }
 
-void WindowTest::digitsSwitchTechniques() {
+void EditingTest::digitsSwitchTechniques() {
   MainWindow& window = open();
   const auto all = window.controller().catalogue().all();
   for (int digit : {0, 3, 1}) {
@@ -166,7 +185,7 @@ void WindowTest::digitsSwitchTechniques() {
   }
 }
 
-void WindowTest::keysSwitchTheView() {
+void EditingTest::keysSwitchTheView() {
   MainWindow& window = open();
   const auto picture = [&] { return window.view().grabFramebuffer(); };
   const QImage shaded = picture();
@@ -185,7 +204,7 @@ void WindowTest::keysSwitchTheView() {
   QCOMPARE(picture(), shaded);
 }
 
-void WindowTest::draggingTheSunMovesTheLight() {
+void EditingTest::draggingTheSunMovesTheLight() {
   MainWindow& window = open();
   const Light before = window.controller().document().content.scene->light;
   const auto sun = window.view().lightHandle().position();
@@ -208,7 +227,7 @@ void WindowTest::draggingTheSunMovesTheLight() {
   QVERIFY(!window.controller().session().light);
 }
 
-void WindowTest::draggingTheReceiverIsStudiedUntilReset() {
+void EditingTest::draggingTheReceiverIsStudiedUntilReset() {
   MainWindow& window = open();
   const double own = window.prober().report()->probe.receiver;
   emit window.evidence().curves().depthDragged(0.9);
@@ -223,7 +242,7 @@ void WindowTest::draggingTheReceiverIsStudiedUntilReset() {
   QCOMPARE(window.prober().report()->probe.receiver, own);
 }
 
-void WindowTest::aMapChannelCanBeLookedAt() {
+void EditingTest::aMapChannelCanBeLookedAt() {
   MainWindow& window = open();
   ShadowMapView& map = window.evidence().map();
   const Region& region = window.prober().report()->probe.region;
@@ -237,7 +256,7 @@ void WindowTest::aMapChannelCanBeLookedAt() {
   QCOMPARE(map.canvas()->valueAt(texel), filtered(texel.x(), texel.y(), 0));
 }
 
-void WindowTest::aProbeIsOnTheMapOfItsCascade() {
+void EditingTest::aProbeIsOnTheMapOfItsCascade() {
   Session session;
   session.source.name = "three-planes";
   session.frame.read.filter = ReadFilter::Anisotropic;
@@ -261,7 +280,7 @@ void WindowTest::aProbeIsOnTheMapOfItsCascade() {
   settle();
 }
 
-void WindowTest::whatATableOfSumsCannotServeCannotBeChosen() {
+void EditingTest::whatATableOfSumsCannotServeCannotBeChosen() {
   MainWindow& window = open();
   window.controller().edit("read",
                            [](Session& s) { s.frame.read.filter = ReadFilter::SummedArea; });
@@ -278,19 +297,10 @@ void WindowTest::whatATableOfSumsCannotServeCannotBeChosen() {
   QVERIFY(dash);
 }
 
-void WindowTest::aDockFloatsAndComesBack() {
-  MainWindow& window = open();
-  for (QDockWidget* dock : window.docks()) {
-    dock->setFloating(true);
-    dock->show();
-    QTest::qWait(20);
-    QVERIFY(dock->isFloating() && dock->isVisible());
-  }
-  settle();
-  window.resetLayout();
-  key(Qt::Key_3);
-  for (QDockWidget* dock : window.docks()) QVERIFY(!dock->isFloating());
-  QVERIFY(result("esm").gpu.has_value());
+std::unique_ptr<QObject> makeEditingTest() {
+  return std::make_unique<EditingTest>();
 }
 
 }  // namespace umbra
+
+#include "EditingTest.moc"

@@ -11,7 +11,7 @@
 #include "analysis/errors/BleedReduction.h"
 #include "datasets/maps/ExrFile.h"
 #include "tests/widgets/Mouse.h"
-#include "tests/window/WindowTest.h"
+#include "tests/window/WindowFixture.h"
 #include "ui/errors/ErrorController.h"
 #include "ui/errors/ErrorPane.h"
 #include "ui/picture/SceneView.h"
@@ -129,7 +129,18 @@ Pixel worstByHand(const ErrorDecomposition& errors, ErrorPart part,
 
 }  // namespace
 
-void WindowTest::theErrorIsTakenApartAsByHand() {
+class ErrorTest : public WindowFixture {
+  Q_OBJECT
+
+ private slots:
+  void theErrorIsTakenApartAsByHand();
+  void aLassoCountsWhatItCircles();
+  void aPixelOfTheErrorIsProbed();
+  void theErrorOfAnEarlierPictureFades();
+  void withoutAPictureTheErrorSaysWhy();
+};
+
+void ErrorTest::theErrorIsTakenApartAsByHand() {
   MainWindow& window = open(smallSession());
   ErrorPane& pane = errorPaneOf(window);
   const ErrorSums expected = sumsOf(takenByHand(window));
@@ -160,7 +171,7 @@ void WindowTest::theErrorIsTakenApartAsByHand() {
   QCOMPARE(errorsOf(window).taken(), taken);
 }
 
-void WindowTest::aLassoCountsWhatItCircles() {
+void ErrorTest::aLassoCountsWhatItCircles() {
   MainWindow& window = open(smallSession());
   ErrorPane& pane = errorPaneOf(window);
   PictureCanvas& canvas = pane.canvas();
@@ -202,7 +213,7 @@ void WindowTest::aLassoCountsWhatItCircles() {
   QVERIFY(!errorsOf(window).lassoSums());
 }
 
-void WindowTest::aPixelOfTheErrorIsProbed() {
+void ErrorTest::aPixelOfTheErrorIsProbed() {
   MainWindow& window = open(smallSession());
   ErrorPane& pane = errorPaneOf(window);
   PictureCanvas& canvas = pane.canvas();
@@ -238,7 +249,7 @@ void WindowTest::aPixelOfTheErrorIsProbed() {
   QCOMPARE(window.controller().undoStack().count(), 3);  // each a step
 }
 
-void WindowTest::theErrorOfAnEarlierPictureFades() {
+void ErrorTest::theErrorOfAnEarlierPictureFades() {
   MainWindow& window = open(smallSession());
   ErrorPane& pane = errorPaneOf(window);
   const ErrorSums before = errorsOf(window).frameSums();
@@ -262,7 +273,7 @@ void WindowTest::theErrorOfAnEarlierPictureFades() {
   QVERIFY(errorsOf(window).frameSums().error < before.error);
 }
 
-void WindowTest::withoutAPictureTheErrorSaysWhy() {
+void ErrorTest::withoutAPictureTheErrorSaysWhy() {
   MainWindow& window = open(smallSession());
   ErrorPane& pane = errorPaneOf(window);
   window.prober().setVeil("Predict first.");
@@ -281,4 +292,10 @@ void WindowTest::withoutAPictureTheErrorSaysWhy() {
   QCOMPARE(cell(pane, 0, 1), QString());
 }
 
+std::unique_ptr<QObject> makeErrorTest() {
+  return std::make_unique<ErrorTest>();
+}
+
 }  // namespace umbra
+
+#include "ErrorTest.moc"

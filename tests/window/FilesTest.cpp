@@ -8,7 +8,7 @@
 
 #include "datasets/maps/ExrFile.h"
 #include "filters/core/support/Error.h"
-#include "tests/window/WindowTest.h"
+#include "tests/window/WindowFixture.h"
 #include "ui/picture/SceneView.h"
 #include "ui/probe/EvidencePanes.h"
 #include "ui/probe/Prober.h"
@@ -29,7 +29,20 @@ QByteArray contentsOf(const QString& file) {
 
 }  // namespace
 
-void WindowTest::pictureAndPlotsAreWritten() {
+class FilesTest : public WindowFixture {
+  Q_OBJECT
+
+ private slots:
+  void pictureAndPlotsAreWritten();
+  void aBadFileLeavesTheSceneOpen();
+  void droppedFacesAreReported();
+  void anotherSceneOpensAndUndoBringsTheFirstBack();
+  void aSceneParameterRebuildsTheScene();
+  void aDepthFileIsProbedByTexel();
+  void aRestartBringsSessionAndLayoutBack();
+};
+
+void FilesTest::pictureAndPlotsAreWritten() {
   MainWindow& window = open();
   const QString picture = folder_.filePath("picture.png");
   window.savePicture(picture.toStdString());
@@ -53,7 +66,7 @@ void WindowTest::pictureAndPlotsAreWritten() {
   QCOMPARE(QImage(picture), image);
 }
 
-void WindowTest::aBadFileLeavesTheSceneOpen() {
+void FilesTest::aBadFileLeavesTheSceneOpen() {
   MainWindow& window = open();
   const Document before = window.controller().document();
   for (const char* name : {"broken.obj", "broken.exr", "broken.json", "broken.txt"}) {
@@ -71,7 +84,7 @@ void WindowTest::aBadFileLeavesTheSceneOpen() {
   QVERIFY(!window.controller().undoStack().canUndo());
 }
 
-void WindowTest::droppedFacesAreReported() {
+void FilesTest::droppedFacesAreReported() {
   MainWindow& window = open();
   const QString file = folder_.filePath("flat.obj");
   QFile written(file);
@@ -87,7 +100,7 @@ void WindowTest::droppedFacesAreReported() {
   QVERIFY(window.centre().banner().text().isEmpty());
 }
 
-void WindowTest::anotherSceneOpensAndUndoBringsTheFirstBack() {
+void FilesTest::anotherSceneOpensAndUndoBringsTheFirstBack() {
   MainWindow& window = open();
   const Document before = window.controller().document();
   SceneSource source;
@@ -103,7 +116,7 @@ void WindowTest::anotherSceneOpensAndUndoBringsTheFirstBack() {
   QVERIFY(window.view().upToDate());
 }
 
-void WindowTest::aSceneParameterRebuildsTheScene() {
+void FilesTest::aSceneParameterRebuildsTheScene() {
   Session session;
   session.source.name = "three-planes";
   MainWindow& window = open(session);
@@ -123,7 +136,7 @@ void WindowTest::aSceneParameterRebuildsTheScene() {
   QVERIFY(window.controller().document().content == before.content);
 }
 
-void WindowTest::aDepthFileIsProbedByTexel() {
+void FilesTest::aDepthFileIsProbedByTexel() {
   MainWindow& window = open();
   Image<float> depths(48, 32);
   std::mt19937 random(7);
@@ -148,7 +161,7 @@ void WindowTest::aDepthFileIsProbedByTexel() {
   QVERIFY(report->request->format == StorageFormat::Double);
 }
 
-void WindowTest::aRestartBringsSessionAndLayoutBack() {
+void FilesTest::aRestartBringsSessionAndLayoutBack() {
   Session session;
   session.source.name = "three-planes";
   MainWindow& first = open(session);
@@ -183,4 +196,10 @@ void WindowTest::aRestartBringsSessionAndLayoutBack() {
   QVERIFY((*report->point - *point).norm() < 0.05 * (1.0 + point->norm()));
 }
 
+std::unique_ptr<QObject> makeFilesTest() {
+  return std::make_unique<FilesTest>();
+}
+
 }  // namespace umbra
+
+#include "FilesTest.moc"

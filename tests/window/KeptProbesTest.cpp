@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "datasets/maps/ExrFile.h"
-#include "tests/window/WindowTest.h"
+#include "tests/window/WindowFixture.h"
 #include "ui/picture/SceneView.h"
 #include "ui/probe/KeptProbes.h"
 #include "ui/probe/KeptProbesPane.h"
@@ -47,12 +47,28 @@ Camera turnedAround(const Camera& camera) {
 
 }  // namespace
 
-void WindowTest::settleKept() {
+class KeptProbesTest : public WindowFixture {
+  Q_OBJECT
+
+ private slots:
+  void keptProbesStayOnTheirPoints();
+  void aKeptProbeIsGoneToRenamedAndDeleted();
+  void keptProbesAreSavedAndOpenedAgain();
+  void aKeptProbeOutOfSightIsGoneTo();
+  void keptTexelsAreOfTheirFile();
+  void keptFiguresHideBehindAVeil();
+
+ private:
+  // Settles, and waits until every kept probe has been read.
+  void settleKept();
+};
+
+void KeptProbesTest::settleKept() {
   settle();
-  QTRY_VERIFY_WITH_TIMEOUT(window_->keptProbes().upToDate(), 20000);
+  QTRY_VERIFY_WITH_TIMEOUT(window_->keptProbes().upToDate(), patience);
 }
 
-void WindowTest::keptProbesStayOnTheirPoints() {
+void KeptProbesTest::keptProbesStayOnTheirPoints() {
   MainWindow& window = open();
   QVERIFY(window.keptProbesPane().keepButton().isEnabled());
   const Eigen::Vector3d first = *window.prober().report()->point;
@@ -103,7 +119,7 @@ void WindowTest::keptProbesStayOnTheirPoints() {
   QVERIFY(errorAt(window, 0, "vsm") < firstError);
 }
 
-void WindowTest::aKeptProbeIsGoneToRenamedAndDeleted() {
+void KeptProbesTest::aKeptProbeIsGoneToRenamedAndDeleted() {
   MainWindow& window = open();
   window.findChild<QDockWidget*>("probesDock")->raise();
   settle();
@@ -154,7 +170,7 @@ void WindowTest::aKeptProbeIsGoneToRenamedAndDeleted() {
   QVERIFY(window.controller().session().probes == probes);
 }
 
-void WindowTest::keptProbesAreSavedAndOpenedAgain() {
+void KeptProbesTest::keptProbesAreSavedAndOpenedAgain() {
   MainWindow& window = open();
   key(Qt::Key_K);
   settleKept();
@@ -186,7 +202,7 @@ void WindowTest::keptProbesAreSavedAndOpenedAgain() {
 }
 
 // Nobody has seen the point in this window: it is read from its surface.
-void WindowTest::aKeptProbeOutOfSightIsGoneTo() {
+void KeptProbesTest::aKeptProbeOutOfSightIsGoneTo() {
   MainWindow& window = open();
   key(Qt::Key_K);
   settleKept();
@@ -215,7 +231,7 @@ void WindowTest::aKeptProbeOutOfSightIsGoneTo() {
   QCOMPARE(window_->keptProbes().rows().at(0).reason, QString("not in sight"));
 }
 
-void WindowTest::keptTexelsAreOfTheirFile() {
+void KeptProbesTest::keptTexelsAreOfTheirFile() {
   MainWindow& window = open();
   Image<float> depths(48, 32);
   for (int y = 0; y < 32; ++y)
@@ -242,7 +258,7 @@ void WindowTest::keptTexelsAreOfTheirFile() {
   QCOMPARE(errorAt(window, 0, "vsm"), result("vsm").error);
 }
 
-void WindowTest::keptFiguresHideBehindAVeil() {
+void KeptProbesTest::keptFiguresHideBehindAVeil() {
   MainWindow& window = open();
   window.findChild<QDockWidget*>("probesDock")->raise();
   key(Qt::Key_K);
@@ -257,4 +273,10 @@ void WindowTest::keptFiguresHideBehindAVeil() {
   QVERIFY(!pane.asText('\t').isEmpty());
 }
 
+std::unique_ptr<QObject> makeKeptProbesTest() {
+  return std::make_unique<KeptProbesTest>();
+}
+
 }  // namespace umbra
+
+#include "KeptProbesTest.moc"

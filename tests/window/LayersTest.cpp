@@ -10,7 +10,7 @@
 #include "filters/core/technique/Lloyd.h"
 #include "filters/techniques/lvsm/Layers.h"
 #include "tests/widgets/Mouse.h"
-#include "tests/window/WindowTest.h"
+#include "tests/window/WindowFixture.h"
 #include "ui/layers/LayersPane.h"
 #include "ui/picture/SceneView.h"
 #include "ui/widgets/plots/PlotPane.h"
@@ -62,7 +62,17 @@ const std::vector<double> uniform{0.25, 0.5, 0.75};
 
 }  // namespace
 
-void WindowTest::aSplitIsDragged() {
+class LayersTest : public WindowFixture {
+  Q_OBJECT
+
+ private slots:
+  void aSplitIsDragged();
+  void lloydIsSteppedToItsEndAndUndone();
+  void whatLloydPlayedIsOneStep();
+  void aTechniqueWithoutLayersNamesThoseThatHaveThem();
+};
+
+void LayersTest::aSplitIsDragged() {
   MainWindow& window = open(layeredSession());
   LayersPane& pane = layersPaneOf(window);
   QCOMPARE(shownSplits(pane), uniform);
@@ -96,7 +106,7 @@ void WindowTest::aSplitIsDragged() {
   QCOMPARE(shownSplits(pane), uniform);
 }
 
-void WindowTest::lloydIsSteppedToItsEndAndUndone() {
+void LayersTest::lloydIsSteppedToItsEndAndUndone() {
   MainWindow& window = open(layeredSession());
   LayersPane& pane = layersPaneOf(window);
   const auto costs = [&] { return pane.cost().plot()->series[0].y; };
@@ -130,7 +140,7 @@ void WindowTest::lloydIsSteppedToItsEndAndUndone() {
   QCOMPARE(shownSplits(pane), uniform);
 }
 
-void WindowTest::whatLloydPlayedIsOneStep() {
+void LayersTest::whatLloydPlayedIsOneStep() {
   MainWindow& window = open(layeredSession());
   LayersPane& pane = layersPaneOf(window);
   press(window, "lloydPlay");
@@ -150,7 +160,7 @@ void WindowTest::whatLloydPlayedIsOneStep() {
   QVERIFY(manualSplits(window).empty());
 }
 
-void WindowTest::aTechniqueWithoutLayersNamesThoseThatHaveThem() {
+void LayersTest::aTechniqueWithoutLayersNamesThoseThatHaveThem() {
   MainWindow& window = open();
   window.findChild<QDockWidget*>("layersDock")->raise();
   settle();
@@ -168,4 +178,10 @@ void WindowTest::aTechniqueWithoutLayersNamesThoseThatHaveThem() {
   QCOMPARE(shownSplits(*pane), uniform);
 }
 
+std::unique_ptr<QObject> makeLayersTest() {
+  return std::make_unique<LayersTest>();
+}
+
 }  // namespace umbra
+
+#include "LayersTest.moc"

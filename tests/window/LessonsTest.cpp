@@ -9,7 +9,7 @@
 #include <QTest>
 
 #include "datasets/lessons/LessonCatalogue.h"
-#include "tests/window/WindowTest.h"
+#include "tests/window/WindowFixture.h"
 #include "ui/lessons/LessonController.h"
 #include "ui/lessons/LessonPane.h"
 #include "ui/lessons/LessonQuestionPane.h"
@@ -34,7 +34,17 @@ double bleedingOf(double dx, double dy) {
 
 }  // namespace
 
-void WindowTest::lightBleedingIsPredictedThenMeasured() {
+class LessonsTest : public WindowFixture {
+  Q_OBJECT
+
+ private slots:
+  void lightBleedingIsPredictedThenMeasured();
+  void aLessonIsWalkedByKeyAndKeepsItsPredictions();
+  void aLessonLeavesOnesOwnSessionAsItWas();
+  void quittingInALessonRemembersOnesOwnSession();
+};
+
+void LessonsTest::lightBleedingIsPredictedThenMeasured() {
   MainWindow& window = open();
   auto* menu = window.findChild<QMenu*>("lessonsMenu");
   for (QAction* action : menu->actions())
@@ -77,7 +87,7 @@ void WindowTest::lightBleedingIsPredictedThenMeasured() {
   QCOMPARE(window.prober().report()->probe.reference, 0.0);
 }
 
-void WindowTest::aLessonIsWalkedByKeyAndKeepsItsPredictions() {
+void LessonsTest::aLessonIsWalkedByKeyAndKeepsItsPredictions() {
   MainWindow& window = open();
   window.enterLesson(lessonNamed("vsm-planes"));
   settle();
@@ -106,7 +116,7 @@ void WindowTest::aLessonIsWalkedByKeyAndKeepsItsPredictions() {
   QVERIFY(!window.findChild<QDockWidget*>("lessonDock")->isVisible());
 }
 
-void WindowTest::aLessonLeavesOnesOwnSessionAsItWas() {
+void LessonsTest::aLessonLeavesOnesOwnSessionAsItWas() {
   MainWindow& window = open();
   window.controller().edit("radius", [](Session& s) { s.frame.kernel.radius = 5; });
   window.controller().edit("technique", [](Session& s) { s.technique = "msm"; });
@@ -148,7 +158,7 @@ void WindowTest::aLessonLeavesOnesOwnSessionAsItWas() {
   QCOMPARE(window.controller().session().frame.kernel.radius, 3);
 }
 
-void WindowTest::quittingInALessonRemembersOnesOwnSession() {
+void LessonsTest::quittingInALessonRemembersOnesOwnSession() {
   MainWindow& window = open();
   window.controller().edit("radius", [](Session& s) { s.frame.kernel.radius = 6; });
   settle();
@@ -169,4 +179,10 @@ void WindowTest::quittingInALessonRemembersOnesOwnSession() {
   QVERIFY(window_->docks().front()->isVisible());
 }
 
+std::unique_ptr<QObject> makeLessonsTest() {
+  return std::make_unique<LessonsTest>();
+}
+
 }  // namespace umbra
+
+#include "LessonsTest.moc"

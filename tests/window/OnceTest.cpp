@@ -5,7 +5,7 @@
 #include <string>
 
 #include "datasets/maps/ExrFile.h"
-#include "tests/window/WindowTest.h"
+#include "tests/window/WindowFixture.h"
 #include "ui/picture/SceneView.h"
 #include "ui/probe/Prober.h"
 #include "ui/session/SessionController.h"
@@ -55,8 +55,17 @@ TechniqueCatalogue countedTechniques(Counts& counts) {
 
 }  // namespace
 
+class OnceTest : public WindowFixture {
+  Q_OBJECT
+
+ private slots:
+  void aClickProbesOnce();
+  void aTexelIsProbedOnce();
+  void anEditMakesEachTechniqueOnce();
+};
+
 // Each report is of one probe, which evaluates every technique once.
-void WindowTest::aClickProbesOnce() {
+void OnceTest::aClickProbesOnce() {
   MainWindow& window = open();
   const QSize size = window.view().pixels();
   QSignalSpy reported(&window.prober(), &Prober::reported);
@@ -75,7 +84,7 @@ void WindowTest::aClickProbesOnce() {
   QCOMPARE(reported.count(), 3);
 }
 
-void WindowTest::aTexelIsProbedOnce() {
+void OnceTest::aTexelIsProbedOnce() {
   const std::string file = folder_.filePath("once.exr").toStdString();
   Image<float> depths(16, 16, 1, 0.75F);
   depths(8, 8) = 0.25F;
@@ -91,7 +100,7 @@ void WindowTest::aTexelIsProbedOnce() {
   QCOMPARE(reported.count(), 2);
 }
 
-void WindowTest::anEditMakesEachTechniqueOnce() {
+void OnceTest::anEditMakesEachTechniqueOnce() {
   Counts counts;
   SessionController controller(Session{}, nullptr, countedTechniques(counts));
   const std::size_t all = controller.catalogue().all().size();
@@ -115,4 +124,10 @@ void WindowTest::anEditMakesEachTechniqueOnce() {
   QVERIFY2(counts.empty(), "what makes no other technique makes none");
 }
 
+std::unique_ptr<QObject> makeOnceTest() {
+  return std::make_unique<OnceTest>();
+}
+
 }  // namespace umbra
+
+#include "OnceTest.moc"

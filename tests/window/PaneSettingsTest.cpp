@@ -4,7 +4,7 @@
 
 #include "datasets/session/PaneEditing.h"
 #include "tests/window/Pictures.h"
-#include "tests/window/WindowTest.h"
+#include "tests/window/WindowFixture.h"
 #include "ui/panes/ComparisonPanes.h"
 #include "ui/panes/PaneHeader.h"
 #include "ui/panes/PaneMenu.h"
@@ -41,7 +41,19 @@ void chooseIn(PaneMenu& menu, const QString& text) {
 
 }  // namespace
 
-void WindowTest::aDuplicateIsDrawnWithItsOwnSettings() {
+class PaneSettingsTest : public WindowFixture {
+  Q_OBJECT
+
+ private slots:
+  void aDuplicateIsDrawnWithItsOwnSettings();
+  void anotherPaneBringsItsSettingsToTheControls();
+  void aPanesErrorIsOfItsOwnSettings();
+  void aPanesMenuSharesAndCloses();
+  void whatPanesShowIsKept();
+  void panesWithSettingsAreSavedAndOpened();
+};
+
+void PaneSettingsTest::aDuplicateIsDrawnWithItsOwnSettings() {
   MainWindow& window = open(comparing(ComparisonMode::Wipe, {"vsm", "pcf"}));
   window.resize(1650, 900);  // room for labels of one line, whatever they say
   ComparisonPanes& panes = window.centre().comparison();
@@ -72,7 +84,7 @@ void WindowTest::aDuplicateIsDrawnWithItsOwnSettings() {
   QVERIFY(panes.header(0).differences().isEmpty());
 }
 
-void WindowTest::anotherPaneBringsItsSettingsToTheControls() {
+void PaneSettingsTest::anotherPaneBringsItsSettingsToTheControls() {
   Session session = comparing(ComparisonMode::Single, {"vsm", "msm"});
   session.comparison.panes.clear();
   MainWindow& window = open(session);
@@ -104,7 +116,7 @@ void WindowTest::anotherPaneBringsItsSettingsToTheControls() {
   QVERIFY(panes.picture(0).picture() == narrow);
 }
 
-void WindowTest::aPanesErrorIsOfItsOwnSettings() {
+void PaneSettingsTest::aPanesErrorIsOfItsOwnSettings() {
   // A wipe's sides are of one size: the probe is in the same pixel of both.
   Session session = comparing(ComparisonMode::Wipe, {"vsm", "vsm"});
   setLinked(session, 1, false);
@@ -136,7 +148,7 @@ void WindowTest::aPanesErrorIsOfItsOwnSettings() {
   QVERIFY(panes.figures(1)->footprint.empty());
 }
 
-void WindowTest::aPanesMenuSharesAndCloses() {
+void PaneSettingsTest::aPanesMenuSharesAndCloses() {
   MainWindow& window = open(comparing(ComparisonMode::Grid, {"vsm", "msm", "pcf"}));
   ComparisonPanes& panes = window.centre().comparison();
   chooseIn(panes.menu(1), "Duplicate this pane");
@@ -159,7 +171,7 @@ void WindowTest::aPanesMenuSharesAndCloses() {
 }
 
 // Of the pictures that are kept, the oldest is what two panes show: one more drives neither out.
-void WindowTest::whatPanesShowIsKept() {
+void PaneSettingsTest::whatPanesShowIsKept() {
   MainWindow& window = open(comparing(ComparisonMode::Grid, {"vsm", "msm", "pcf"}));
   ComparisonPanes& panes = window.centre().comparison();
   settlePanes();
@@ -176,7 +188,7 @@ void WindowTest::whatPanesShowIsKept() {
   QCOMPARE(panes.picture(1).picture().cacheKey(), first.cacheKey());
 }
 
-void WindowTest::panesWithSettingsAreSavedAndOpened() {
+void PaneSettingsTest::panesWithSettingsAreSavedAndOpened() {
   MainWindow& window = open(comparing(ComparisonMode::Grid, {"vsm", "msm"}));
   key(Qt::Key_D, Qt::ControlModifier);
   setRadius(window, 12);
@@ -197,4 +209,10 @@ void WindowTest::panesWithSettingsAreSavedAndOpened() {
   QCOMPARE(panes.header(1).differences(), QString("radius 12"));
 }
 
+std::unique_ptr<QObject> makePaneSettingsTest() {
+  return std::make_unique<PaneSettingsTest>();
+}
+
 }  // namespace umbra
+
+#include "PaneSettingsTest.moc"

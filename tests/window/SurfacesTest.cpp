@@ -7,7 +7,7 @@
 #include "analysis/surfaces/SurfaceErrors.h"
 #include "datasets/meshes/MeshFile.h"
 #include "filters/core/support/Error.h"
-#include "tests/window/WindowTest.h"
+#include "tests/window/WindowFixture.h"
 #include "ui/errors/SurfaceExport.h"
 #include "ui/picture/SceneView.h"
 #include "ui/window/CentrePane.h"
@@ -31,7 +31,16 @@ SurfaceSummary expectedSummary(MainWindow& window) {
 
 }  // namespace
 
-void WindowTest::bleedingIsWrittenOntoTheMesh() {
+class SurfacesTest : public WindowFixture {
+  Q_OBJECT
+
+ private slots:
+  void bleedingIsWrittenOntoTheMesh();
+  void aCancelledMeshLeavesWhatWasThere();
+  void whatHasNoSurfacesIsRefused();
+};
+
+void SurfacesTest::bleedingIsWrittenOntoTheMesh() {
   Session session;
   session.source.name = "three-planes";
   session.frame.map.size = 256;
@@ -61,7 +70,7 @@ void WindowTest::bleedingIsWrittenOntoTheMesh() {
   QCOMPARE(mesh.triangles.size(), expected.all.faces);
 }
 
-void WindowTest::aCancelledMeshLeavesWhatWasThere() {
+void SurfacesTest::aCancelledMeshLeavesWhatWasThere() {
   Session session;
   session.source.name = "three-planes";
   MainWindow& window = open(session);
@@ -78,7 +87,7 @@ void WindowTest::aCancelledMeshLeavesWhatWasThere() {
   QCOMPARE(kept.readAll(), QByteArray("kept"));
 }
 
-void WindowTest::whatHasNoSurfacesIsRefused() {
+void SurfacesTest::whatHasNoSurfacesIsRefused() {
   Session session;
   session.source.name = "three-planes";
   MainWindow& window = open(session);
@@ -103,4 +112,10 @@ void WindowTest::whatHasNoSurfacesIsRefused() {
   QVERIFY(!QFile::exists(folder_.filePath("mesh.vtp")));
 }
 
+std::unique_ptr<QObject> makeSurfacesTest() {
+  return std::make_unique<SurfacesTest>();
+}
+
 }  // namespace umbra
+
+#include "SurfacesTest.moc"

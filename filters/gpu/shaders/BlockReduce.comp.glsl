@@ -8,6 +8,12 @@ layout(local_size_x = 16, local_size_y = 2) in;
 
 const int largestWindow = 129;
 
+// A sum of large exponentials leaves the range of a float where their mean does not. Taps of means
+// are therefore divided by a power of two first, `scale` in their channels, which rounds nothing.
+vec4 umbraScaledTap(ivec2 texel, int layer, vec4 scale) {
+  return umbraTap(texel, layer) * scale;
+}
+
 void main() {
   ivec2 size = textureSize(umbraSource, 0).xy;
   int window = 2 * umbraRadius + 1;
@@ -19,20 +25,22 @@ void main() {
   ivec2 first = begin * umbraAxis + line * umbraAxis.yx;  // the block's first texel
   ivec2 start = first - umbraRadius * umbraAxis;          // first tap of its first window
 
+  float part = ldexp(1.0, -1 - findMSB(window - 1));
+  vec4 scale = mix(vec4(1.0), vec4(part), equal(umbraSigns[layer % UMBRA_LAYERS], vec4(0.0)));
   vec4 ends[largestWindow];  // ends[i]: taps i … window-1 combined
-  vec4 value = umbraTap(start + (window - 1) * umbraAxis, layer);
+  vec4 value = umbraScaledTap(start + (window - 1) * umbraAxis, layer, scale);
   ends[window - 1] = value;
   for (int i = window - 2; i >= 0; --i) {
-    value = umbraCombine(umbraTap(start + i * umbraAxis, layer), value, layer);
+    value = umbraCombine(umbraScaledTap(start + i * umbraAxis, layer, scale), value, layer);
     ends[i] = value;
   }
 
-  float meanFactor = 1.0 / float(window);
+  float meanFactor = 1.0 / (float(window) * part);
   umbraStore(first, layer, ends[0], meanFactor);
   int count = min(window, length - begin);
   vec4 beginning = vec4(0.0);  // taps window … window+i-1 combined
   for (int i = 1; i < count; ++i) {
-    vec4 tap = umbraTap(start + (window + i - 1) * umbraAxis, layer);
+    vec4 tap = umbraScaledTap(start + (window + i - 1) * umbraAxis, layer, scale);
     beginning = i == 1 ? tap : umbraCombine(beginning, tap, layer);
     umbraStore(first + i * umbraAxis, layer, umbraCombine(ends[i], beginning, layer), meanFactor);
   }

@@ -12,7 +12,9 @@ void umbraEncode(float z, inout float channels[UMBRA_CHANNELS]) {
 }
 
 float umbraVisibility(float channels[UMBRA_CHANNELS], float receiver) {
-  // Each factor is finite up to c = 176; the product may be infinite and is then 1.
-  float ratio = min(channels[0] * exp(-umbra_exponent * (receiver - 0.5)), 1.0);
+  // The receiver's factor falls below the smallest normal float at c = 175; its root does not. Each
+  // product is finite up to c = 176 or infinite, which counts as 1.
+  float root = exp(-0.5 * umbra_exponent * (receiver - 0.5));
+  float ratio = min(channels[0] * root * root, 1.0);
   return clamp((ratio - umbra_bleed_reduction) / (1.0 - umbra_bleed_reduction), 0.0, 1.0);
 }

@@ -43,19 +43,20 @@ vec4 umbraMoments(float channels[UMBRA_CHANNELS]) {
 float umbraVisibility(float channels[UMBRA_CHANNELS], float receiver) {
   vec4 b = mix(umbraMoments(channels), vec4(0.5), umbra_moment_bias);
 
-  // B = L D Lᵀ of the Hankel matrix, then B c = (1, z_r, z_r²), with c times the last pivot. The
-  // floors keep rounding from turning a variance negative.
+  // All depths are measured from the mean. B = L D Lᵀ of the Hankel matrix, then B c = (1, t, t²),
+  // with c times the last pivot. The floors keep rounding from turning a variance negative.
+  float t = receiver - b.x;
   float l21d1 = b.z - b.y * b.x;
   float d1 = max(b.y - b.x * b.x, 1e-7);
   float l21 = l21d1 / d1;
   float d2 = max(b.w - b.y * b.y - l21 * l21d1, 0.0);
-  float y1 = receiver - b.x;
-  float y2 = receiver * receiver - b.y - l21 * y1;
+  float skew = l21 - 2.0 * b.x;
+  float y2 = t * t - d1 - skew * t;
   if (abs(y2) < 1e-12) y2 = 1e-12;  // its root is then as good as infinitely far away
-  float c1 = d2 * y1 / d1 - l21 * y2;
-  float c0 = d2 - b.x * c1 - b.y * y2;
+  float c1 = d2 * t / d1 - skew * y2;
+  float c0 = d2 - d1 * y2;
 
-  // Roots of y2 z² + c1 z + c0, the smaller first; neither is formed by cancelling subtraction.
+  // Roots of y2 t² + c1 t + c0, the smaller first; neither is formed by cancelling subtraction.
   float root = sqrt(max(c1 * c1 - 4.0 * y2 * c0, 0.0));
   float q = c1 < 0.0 ? 0.5 * (root - c1) : -0.5 * (root + c1);
   float one = q / y2;
@@ -66,11 +67,12 @@ float umbraVisibility(float channels[UMBRA_CHANNELS], float receiver) {
   // A root that rounding has moved across the receiver would turn its depth from lit to occluded,
   // so equality has the width of that rounding.
   const float equal = 2e-6;
-  if (receiver <= near + equal) return 1.0;
-  float occluded =
-      receiver <= far + equal
-          ? (receiver * far - b.x * (receiver + far) + b.y) / ((far - near) * (receiver - near))
-          : 1.0 - (near * far - b.x * (near + far) + b.y) / ((receiver - near) * (receiver - far));
-  float visibility = clamp(1.0 - occluded, 0.0, 1.0);
+  if (t <= near + equal) return 1.0;
+  // The weight of the receiver's own depth, 1/(1, t, t²) B⁻¹ (1, t, t²)ᵀ: no term is negative. What
+  // of the other weights lies behind it follows from their sum and mean, divided by what is never
+  // small, the roots' distance.
+  float own = d2 / (d2 * (1.0 + t * t / d1) + y2 * y2);
+  float behind = t <= far + equal ? max(-(near + own * (t - near)) / (far - near), 0.0) : 0.0;
+  float visibility = min(own + behind, 1.0);
   return clamp((visibility - umbra_bleed_reduction) / (1.0 - umbra_bleed_reduction), 0.0, 1.0);
 }

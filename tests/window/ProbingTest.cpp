@@ -1,90 +1,32 @@
-#include "tests/window/WindowTest.h"
-
+// The probe: where it starts, what it says, and what it stays on.
 #include <QAbstractItemModel>
-#include <QApplication>
-#include <QDockWidget>
-#include <QMouseEvent>
-#include <QSettings>
 #include <QTableView>
 #include <QTest>
 #include <algorithm>
 #include <cmath>
 
 #include "analysis/rays/RayTracedVisibility.h"
+#include "tests/window/WindowFixture.h"
 #include "ui/picture/SceneView.h"
 #include "ui/probe/EvidencePanes.h"
 #include "ui/probe/Prober.h"
 #include "ui/widgets/base/Style.h"
 #include "ui/widgets/tables/ProbeTable.h"
-#include "ui/window/WindowMemory.h"
-#include "ui/window/WindowStyle.h"
 
 namespace umbra {
-void WindowTest::initTestCase() {
-  QVERIFY(folder_.isValid());
-  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder_.path());
-}
 
-void WindowTest::cleanup() {
-  window_.reset();
-  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-}
+class ProbingTest : public WindowFixture {
+  Q_OBJECT
 
-MainWindow& WindowTest::open(const Session& session) {
-  window_ = std::make_unique<MainWindow>(session);
-  window_->resize(1300, 800);
-  window_->resetLayout();
-  window_->show();
-  QApplication::setActiveWindow(window_.get());
-  settle();
-  return *window_;
-}
+ private slots:
+  void theFirstFrameShowsWhereLightBleeds();
+  void theTableAgreesWithTheAnalysis();
+  void hoveringProbesAndLeavingKeepsTheProbe();
+  void aPinnedProbeStaysOnItsPoint();
+  void aHiddenProbeFollowsTheParameters();
+};
 
-void WindowTest::settle() {
-  const auto still = [this] {
-    const bool onScene = window_->controller().document().content.scene != nullptr;
-    return !window_->controller().loading() && (!onScene || window_->view().upToDate());
-  };
-  // Twice: what follows a frame, such as the first probe, may ask for another one.
-  for (int i = 0; i < 2; ++i) {
-    QVERIFY(QTest::qWaitFor(still, patience));
-    QTest::qWait(50);
-  }
-}
-
-void WindowTest::mouse(QEvent::Type type, const QPointF& point, Qt::MouseButton button,
-                       Qt::MouseButtons buttons) {
-  SceneView& view = window_->view();
-  QMouseEvent event(type, point, view.mapToGlobal(point.toPoint()), button, buttons,
-                    Qt::NoModifier);
-  QCoreApplication::sendEvent(&view, &event);
-}
-
-void WindowTest::click(const Pixel& pixel) {
-  mouse(QEvent::MouseButtonPress, pointOf(pixel), Qt::LeftButton, Qt::LeftButton);
-  mouse(QEvent::MouseButtonRelease, pointOf(pixel), Qt::LeftButton, Qt::NoButton);
-  settle();
-}
-
-void WindowTest::key(int key, Qt::KeyboardModifiers modifiers) {
-  window_->view().setFocus();
-  QTest::keyClick(&window_->view(), Qt::Key(key), modifiers);
-  settle();
-}
-
-QPointF WindowTest::pointOf(const Pixel& pixel) {
-  const double ratio = window_->view().devicePixelRatioF();
-  return {(pixel.x + 0.5) / ratio, (pixel.y + 0.5) / ratio};
-}
-
-const TechniqueResult& WindowTest::result(const char* id) {
-  const auto& report = window_->prober().report();
-  const TechniqueResult* found = report ? resultOf(report->probe, id) : nullptr;
-  if (!found) qFatal("there is no probe of %s", id);
-  return *found;
-}
-
-void WindowTest::theFirstFrameShowsWhereLightBleeds() {
+void ProbingTest::theFirstFrameShowsWhereLightBleeds() {
   MainWindow& window = open();
   const auto& report = window.prober().report();
   QVERIFY(report.has_value());
@@ -95,7 +37,7 @@ void WindowTest::theFirstFrameShowsWhereLightBleeds() {
   QVERIFY(!window.controller().undoStack().canUndo());  // nobody has done anything yet
 }
 
-void WindowTest::theTableAgreesWithTheAnalysis() {
+void ProbingTest::theTableAgreesWithTheAnalysis() {
   Session session;
   session.source.name = "three-planes";
   MainWindow& window = open(session);
@@ -141,7 +83,7 @@ void WindowTest::theTableAgreesWithTheAnalysis() {
   }
 }
 
-void WindowTest::hoveringProbesAndLeavingKeepsTheProbe() {
+void ProbingTest::hoveringProbesAndLeavingKeepsTheProbe() {
   MainWindow& window = open();
   const Pixel pixel = window.prober().report()->pixel;
   key(Qt::Key_Escape);
@@ -157,7 +99,7 @@ void WindowTest::hoveringProbesAndLeavingKeepsTheProbe() {
   QVERIFY(window.prober().report().has_value());
 }
 
-void WindowTest::aPinnedProbeStaysOnItsPoint() {
+void ProbingTest::aPinnedProbeStaysOnItsPoint() {
   MainWindow& window = open();
   const Eigen::Vector3d point = *window.prober().report()->point;
   const Pixel pixel = window.prober().report()->pixel;
@@ -182,7 +124,7 @@ void WindowTest::aPinnedProbeStaysOnItsPoint() {
 }
 
 // Out of the picture the probe has no pixel, and still follows what is set.
-void WindowTest::aHiddenProbeFollowsTheParameters() {
+void ProbingTest::aHiddenProbeFollowsTheParameters() {
   MainWindow& window = open();
   QVERIFY(result("vsm").gpu.has_value());
   const double before = result("vsm").visibility;
@@ -210,30 +152,10 @@ void WindowTest::aHiddenProbeFollowsTheParameters() {
   QCOMPARE(result("vsm").visibility, before);
 }
 
-void WindowTest::theSmallestScreenHoldsEverything() {
-  MainWindow& window = open();
-  window.resize(1280, 720);
-  window.resetLayout();
-  settle();
-  QCOMPARE(window.size(), QSize(1280, 720));
-  std::vector<QRect> places{window.centralWidget()->geometry()};
-  for (const QDockWidget* dock : window.docks()) {
-    if (!dock->visibleRegion().isEmpty()) places.push_back(dock->geometry());
-  }
-  QVERIFY(places.size() >= 5);  // picture, controls, table, map, the plot on top
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    QVERIFY(window.rect().contains(places[i]));
-    for (std::size_t j = 0; j < i; ++j) QVERIFY(!places[i].intersects(places[j]));
-  }
-  QVERIFY(window.view().width() >= 400 && window.view().height() >= 240);
+std::unique_ptr<QObject> makeProbingTest() {
+  return std::make_unique<ProbingTest>();
 }
 
 }  // namespace umbra
 
-int main(int argc, char** argv) {
-  umbra::prepareApplication();
-  QApplication application(argc, argv);
-  umbra::applyStyle(application);
-  umbra::WindowTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+#include "ProbingTest.moc"

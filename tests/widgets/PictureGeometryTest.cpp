@@ -1,18 +1,22 @@
-// Where the window draws and looks, without a window.
+// What the picture draws over the scene, and where its first probe goes: geometry without a
+// picture.
+#include <gtest/gtest.h>
 #include <vtkCamera.h>
 #include <vtkNew.h>
 #include <vtkRenderer.h>
-#include <QTest>
+
+#include <QRect>
+#include <cmath>
 
 #include "analysis/errors/WorstPixel.h"
-#include "tests/window/WindowTest.h"
 #include "ui/picture/Footprint.h"
 #include "ui/picture/LightHandle.h"
 #include "ui/picture/SceneProjection.h"
 
 namespace umbra {
+namespace {
 
-void WindowTest::theWorstSpotIsInFullShadow() {
+TEST(PictureGeometry, TheWorstSpotIsInFullShadow) {
   SurfaceImage surfaces(200, 150);
   Image<float> reference(200, 150, 1, 1.0F);
   SurfacePoint surface{.u = 0.5, .v = 0.5, .receiver = 0.5};
@@ -26,19 +30,19 @@ void WindowTest::theWorstSpotIsInFullShadow() {
   };
   for (int y = 0; y < 150; ++y)
     for (int x = 0; x < 200; ++x) surfaces.set(x, y, surface);
-  QVERIFY(!worstBleeding(surfaces, reference));
+  EXPECT_FALSE(worstBleeding(surfaces, reference));
   fill({30, 40, 40, 40}, 0.9F, 0.4F);   // a penumbra, further off than what follows
   fill({120, 60, 40, 40}, 0.0F, 0.0F);  // full shadow
   fill({130, 70, 20, 20}, 0.3F, 0.0F);  // in which light bleeds
   fill({140, 80, 1, 1}, 0.35F, 0.0F);   // here most
   fill({60, 120, 1, 1}, 1.0F, 0.0F);    // a stray pixel
   const auto worst = worstBleeding(surfaces, reference);
-  QVERIFY(worst.has_value());
-  QCOMPARE(worst->x, 140);
-  QCOMPARE(worst->y, 80);
+  ASSERT_TRUE(worst.has_value());
+  EXPECT_EQ(worst->x, 140);
+  EXPECT_EQ(worst->y, 80);
 }
 
-void WindowTest::aFootprintLiesOnItsSurface() {
+TEST(PictureGeometry, AFootprintLiesOnItsSurface) {
   const Eigen::AlignedBox3d bounds(Eigen::Vector3d(-2, 0, -2), Eigen::Vector3d(2, 3, 2));
   DepthMap map(64, 64, 1, 0.5);
   const Region region = regionAtTexel(map, {KernelShape::Box, 2, 0.0}, 30, 20);
@@ -49,21 +53,21 @@ void WindowTest::aFootprintLiesOnItsSurface() {
     const LightFrame frame = fitLightFrame(light, bounds);
     const Plane ground(Eigen::Vector3d::UnitY(), Eigen::Vector3d::Zero());
     const auto outline = footprintOf(region, 64, 0.5, frame, ground);
-    QVERIFY(outline.size() >= 4);
+    EXPECT_GE(outline.size(), 4u);
     double left = 1.0, right = 0.0;
     for (const Eigen::Vector3d& corner : outline) {
-      QVERIFY(std::abs(corner.y()) < 1e-9);
+      EXPECT_LT(std::abs(corner.y()), 1e-9);
       const LightPoint point = frame.project(corner);
       left = std::min(left, point.u);
       right = std::max(right, point.u);
     }
     // Texels 28 to 32 of 64.
-    QVERIFY(std::abs(left - 28.0 / 64.0) < 1e-9);
-    QVERIFY(std::abs(right - 33.0 / 64.0) < 1e-9);
+    EXPECT_LT(std::abs(left - 28.0 / 64.0), 1e-9);
+    EXPECT_LT(std::abs(right - 33.0 / 64.0), 1e-9);
   }
 }
 
-void WindowTest::aDirectionalLightTurnsAboutItsTarget() {
+TEST(PictureGeometry, ADirectionalLightTurnsAboutItsTarget) {
   const vtkNew<vtkRenderer> renderer;
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->SetPosition(0, 4, 20);
@@ -73,23 +77,24 @@ void WindowTest::aDirectionalLightTurnsAboutItsTarget() {
   const Eigen::Vector3d point(1.0, 2.0, -3.0);
   const QPointF before = *projection.toWidget(point);
   const QPointF after = *projection.toWidget(projection.moved(point, {30, -12}));
-  QVERIFY(std::abs(after.x() - before.x() - 30) < 1e-6);
-  QVERIFY(std::abs(after.y() - before.y() + 12) < 1e-6);
-  QVERIFY(!projection.toWidget(Eigen::Vector3d(0, 4, 30)));  // behind the camera
+  EXPECT_LT(std::abs(after.x() - before.x() - 30), 1e-6);
+  EXPECT_LT(std::abs(after.y() - before.y() + 12), 1e-6);
+  EXPECT_FALSE(projection.toWidget(Eigen::Vector3d(0, 4, 30)));  // behind the camera
 
   Light light;
   light.position = {3.0, 9.0, 0.0};  // above the picture: the handle stands at its border
   LightHandle handle;
   handle.place(light, light.target, projection);
-  QVERIFY(handle.position().has_value());
-  QVERIFY(QRectF(0, 0, 800, 600).contains(*handle.position()));
-  QVERIFY(handle.isAt(*handle.position() + QPointF(5, 5)));
+  ASSERT_TRUE(handle.position().has_value());
+  EXPECT_TRUE(QRectF(0, 0, 800, 600).contains(*handle.position()));
+  EXPECT_TRUE(handle.isAt(*handle.position() + QPointF(5, 5)));
   const Light turned = handle.dragged(light, {40, 0}, projection);
-  QVERIFY(std::abs((turned.position - turned.target).norm() - light.position.norm()) < 1e-9);
-  QVERIFY(turned.position.x() > light.position.x());
+  EXPECT_LT(std::abs((turned.position - turned.target).norm() - light.position.norm()), 1e-9);
+  EXPECT_GT(turned.position.x(), light.position.x());
   light.kind = LightKind::Spot;
   const Light moved = handle.dragged(light, {0, 0}, projection);
-  QVERIFY((moved.position - light.position).norm() < 1e-9);
+  EXPECT_LT((moved.position - light.position).norm(), 1e-9);
 }
 
+}  // namespace
 }  // namespace umbra
