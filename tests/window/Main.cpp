@@ -72,7 +72,8 @@ int run(const TestClasses& tests, const QString& program, const QStringList& nam
   int failed = 0;
   for (const auto& test : tests) {
     const QStringList cases = chosenOf(*test, names);
-    if (!cases.isEmpty()) failed += QTest::qExec(test.get(), QStringList{program} + options + cases);
+    if (!cases.isEmpty())
+      failed += QTest::qExec(test.get(), QStringList{program} + options + cases);
   }
   return std::min(failed, 100);
 }

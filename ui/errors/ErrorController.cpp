@@ -26,8 +26,8 @@ Image<std::uint8_t> maskOf(const QPolygonF& lasso, int width, int height) {
   return lassoMask(points, width, height);
 }
 
-// Whatever `progress` throws stops the work. The reference is not asked of the GPU: over wide regions a slow
-// one takes seconds, in which nothing would move.
+// Whatever `progress` throws stops the work. The reference is not asked of the GPU: over wide
+// regions a slow one takes seconds, in which nothing would move.
 std::shared_ptr<const ErrorController::Taken> takenApart(
     const FrameSnapshot& frame, const std::function<void(double)>& progress) {
   const DecompositionSettings how;

@@ -85,7 +85,7 @@ Pixel pixelFrom(const Json& value, const std::string& where) {
   readPair(value, where, x, y);
   const auto fits = [&](double n) { return n >= 0 && n <= largest && n == std::floor(n); };
   if (!fits(x) || !fits(y))
-    throw Error(ErrorKind::BadInput, where + ": " + value.dump() +
+    throw Error(ErrorKind::BadInput, where + ": " + quoted(value) +
                                          " should be two whole numbers from 0 to " +
                                          std::to_string(largest));
   return {int(x), int(y)};

@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "datasets/session/file/JsonText.h"
 #include "filters/core/settings/SettingRow.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 
@@ -76,7 +78,7 @@ SettingValue settingFrom(const SettingInfo& info, const Json& json, const std::s
   }
   const std::optional<SettingValue> value = valueIn(json);
   const std::string found =
-      json.is_string() ? "'" + json.get<std::string>() + "'" : std::string(json.dump());
+      json.is_string() ? "'" + clipped(json.get<std::string>()) + "'" : quoted(json);
   if (!value) refuseSetting(info, where, found);
   return checked(info, *value, where, found);
 }
