@@ -50,10 +50,9 @@ SurfaceSums groundBehind(double distance) {
 // The picture of a single pixel with the probe's visibility, decomposed: its part Small.
 double smallPartOf(const Probe& probe) {
   const double visibility = probe.techniques[0].visibility;
-  Image<float> surfaces(1, 1, 4), reference(1, 1);
-  surfaces(0, 0, 0) = surfaces(0, 0, 1) = 0.5F;
-  surfaces(0, 0, 2) = float(probe.receiver);
-  surfaces(0, 0, 3) = float(visibility);
+  SurfaceImage surfaces(1, 1);
+  surfaces.set(0, 0, {.u = 0.5, .v = 0.5, .receiver = probe.receiver, .visibility = visibility});
+  Image<float> reference(1, 1);
   reference(0, 0) = float(probe.reference);
   ErrorDecomposition result = emptyDecomposition(1, 1);
   decomposeRow(
