@@ -73,6 +73,7 @@ class Composition : public test::FrameFixture, public testing::WithParamInterfac
   }
 
   void expectBound(const SurfaceImage& surfaces, const Image<float>& reference) {
+    const test::VisibilityBound bound(*technique, StorageFormat::Float);
     for (int y = 2; y < surfaces.height(); y += 7) {
       for (int x = y % 11; x < surfaces.width(); x += 11) {
         if (surfaces.visibility(x, y) >= reference(x, y)) continue;
@@ -85,9 +86,7 @@ class Composition : public test::FrameFixture, public testing::WithParamInterfac
         const Region region = regionOf(map, settings.kernel, read);
         const std::vector<double> channels =
             readChannels(map, *technique, settings.kernel, StorageFormat::Double, read);
-        const double tolerance =
-            test::visibilityError(*technique, StorageFormat::Float, {channels, region},
-                                  point->receiver, roundingsOfRead());
+        const double tolerance = bound({channels, region}, point->receiver, roundingsOfRead());
         ASSERT_GE(surfaces.visibility(x, y), reference(x, y) - tolerance) << x << "," << y;
       }
     }

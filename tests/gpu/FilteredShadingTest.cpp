@@ -29,6 +29,7 @@ TEST_F(FilteredShading, AgreesWithTheReferenceThroughItsLevels) {
       show(test::slabAndBall(), id);
       const DepthMap& map = renderer->depthMap();
       const Image<float> reference = renderer->reference();
+      const test::VisibilityBound bound(*technique, settings.map.format);
       int compared = 0, penumbra = 0, coarser = 0, spread = 0;
       for (int y = 0; y < height; y += 5) {
         for (int x = 0; x < width; x += 5) {
@@ -53,10 +54,7 @@ TEST_F(FilteredShading, AgreesWithTheReferenceThroughItsLevels) {
               2 * (2 * settings.kernel.radius + 3) + 3 * 9 + 12 + read.footprint.probes + 2;
           const double summing =
               2 * (4 * std::hypot(read.footprint.x, read.footprint.y) + 32) * eps;
-          const double arithmetic =
-              test::visibilityError(*technique, settings.map.format, {channels, region},
-                                    point->receiver, reading) +
-              summing;
+          const double arithmetic = bound({channels, region}, point->receiver, reading) + summing;
           ASSERT_NEAR(point->visibility, visibility(read),
                       arithmetic + test::readError(visibility, read))
               << "pixel " << x << "," << y;

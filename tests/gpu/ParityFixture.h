@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <random>
 #include <string>
 
@@ -13,6 +14,7 @@
 #include "filters/gpu/ChannelBaker.h"
 #include "tests/gpu/GpuTest.h"
 #include "tests/gpu/Rounding.h"
+#include "tests/properties/Draws.h"
 
 namespace umbra::test {
 
@@ -40,7 +42,6 @@ inline std::vector<Kernel> testKernels() {
   std::vector<Kernel> kernels{{KernelShape::None, 0}};
   for (KernelShape shape : {KernelShape::Box, KernelShape::Gaussian})
     for (int radius : {1, 3, 8}) kernels.push_back({shape, radius});
-  kernels.push_back({KernelShape::Box, Kernel::largestRadius});
   return kernels;
 }
 
@@ -92,6 +93,27 @@ class ParityFixture : public GpuTest, public testing::WithParamInterface<Case> {
     GpuTest::TearDown();
   }
 
+  // Compares `compare(map, kernel)` for the technique at its defaults, at both ends of each of its
+  // parameters and with drawn ones, in turn on each map and with each kernel, all pairs of them.
+  template <class Compare>
+  void inEverySetting(const std::vector<Kernel>& kernels, const Compare& compare) {
+    const auto maps = testMaps();
+    draws::fromSeed(20080227, [&] {
+      settings = draws::settingsOf(GetParam().technique, int(maps.size() * kernels.size()));
+    });
+    ASSERT_EQ(std::lcm(maps.size(), kernels.size()), maps.size() * kernels.size());
+    for (std::size_t i = 0; i < settings.size(); ++i) {
+      technique = settings[i]->clone();
+      technique->limitTo(GetParam().format);
+      layout = technique->channels();
+      const auto& [name, map] = maps[i % maps.size()];
+      const Kernel& kernel = kernels[i % kernels.size()];
+      SCOPED_TRACE(draws::described(*technique) + ", " + name + ", " + describe(kernel));
+      compare(map, kernel);
+      if (HasFatalFailure()) return;
+    }
+  }
+
   void prepare(const DepthMap& map) {
     technique->adapt(map);
     baker->uploadDepth(map);
@@ -103,6 +125,7 @@ class ParityFixture : public GpuTest, public testing::WithParamInterface<Case> {
     return encodeMap(map, *technique, GetParam().format);
   }
 
+  std::vector<std::unique_ptr<Technique>> settings;
   std::unique_ptr<Technique> technique;
   std::vector<Channel> layout;
   std::optional<ChannelBaker> baker;

@@ -131,64 +131,63 @@ std::vector<ReadPoint> randomReads(ReadFilter filter, int count) {
 }
 
 TEST_P(ReadParity, ReadsMixLevelsAsTheReferenceDoes) {
-  for (const auto& [name, map] : testMaps()) {
-    for (const Kernel& kernel : {Kernel{KernelShape::None, 0}, Kernel{KernelShape::Gaussian, 3}}) {
-      bake(map, kernel);
-      const std::vector<Image<float>> all = levels(map);
-      for (ReadFilter filter : {ReadFilter::Trilinear, ReadFilter::Anisotropic}) {
-        SCOPED_TRACE(name + ", " + describe(kernel) + ", " + std::string(nameOf(filter)));
-        const std::vector<ReadPoint> reads = randomReads(filter, 48);
-        const int count = int(reads.size());
-        std::vector<float> surfaces, footprints;
-        for (int i = 0; i < count; ++i) {
-          const ReadPoint& read = reads[i];
-          const Region region = regionOf(map, kernel, read);
-          surfaces.insert(surfaces.end(), {float(read.u), float(read.v),
-                                           float(receiverFor(i, i / 5, region)), 0.0f});
-          footprints.insert(footprints.end(), {float(read.footprint.x), float(read.footprint.y),
-                                               float(read.footprint.probes), 0.0f});
-        }
-        gl::Texture surfaceTable(GL_RGBA32F, count, 1), footprintTable(GL_RGBA32F, count, 1);
-        surfaceTable.upload(4, surfaces);
-        footprintTable.upload(4, footprints);
-        const std::vector<float> gpu =
-            baker->evaluate(surfaceTable, &footprintTable, *technique, {kernel, filter});
-        for (int i = 0; i < count; ++i) {
-          const ReadPoint& read = reads[i];
-          const double receiver = surfaces[4 * i + 2];
-          const auto channelsAt = [&](const ReadPoint& at) {
-            return technique->info().prefilterable ? mixedLevels(all, at, map.width(), map.height())
-                                                   : std::vector<double>(layout.size(), 0.0);
-          };
-          const auto visibility = [&](const ReadPoint& at) {
-            const Region region = regionOf(map, kernel, at);
-            return technique->visibility({channelsAt(at), region}, receiver);
-          };
-          const auto truth = [&](const ReadPoint& at) {
-            return referenceVisibility(regionOf(map, kernel, at), receiver);
-          };
-          const Region region = regionOf(map, kernel, read);
-          const std::vector<double> channels = channelsAt(read);
-          // Sums along both axes of every probe's rectangles, and of the probes.
-          const int side = 2 * (2 << mipLevels(map.width(), map.height())) + 2 * kernel.radius;
-          const double summing = (2 * (side + 8) + 2 * read.footprint.probes) * eps;
-          // A mix rounds three times; a read has three for each of two levels and one of these.
-          const int mixing = 3 * 4 + read.footprint.probes + 2;
-          const double arithmetic = test::visibilityError(*technique, GetParam().format,
-                                                          {channels, region}, receiver, mixing) +
-                                    (technique->info().prefilterable ? 0.0 : summing);
-          ASSERT_NEAR(gpu[2 * i], visibility(read), arithmetic + readError(visibility, read))
-              << "read " << i << " at " << read.u << "," << read.v << ", footprint "
-              << read.footprint.x << "," << read.footprint.y << " with " << read.footprint.probes
-              << " probes, receiver " << receiver;
-          ASSERT_NEAR(gpu[2 * i + 1], truth(read), summing + readError(truth, read))
-              << "reference of read " << i << " at " << read.u << "," << read.v << ", footprint "
-              << read.footprint.x << "," << read.footprint.y << " with " << read.footprint.probes
-              << " probes, receiver " << receiver;
-        }
+  const std::vector<Kernel> kernels{{KernelShape::None, 0}, {KernelShape::Gaussian, 3}};
+  inEverySetting(kernels, [&](const DepthMap& map, const Kernel& kernel) {
+    bake(map, kernel);
+    const std::vector<Image<float>> all = levels(map);
+    const VisibilityBound bound(*technique, GetParam().format);
+    for (ReadFilter filter : {ReadFilter::Trilinear, ReadFilter::Anisotropic}) {
+      SCOPED_TRACE(nameOf(filter));
+      const std::vector<ReadPoint> reads = randomReads(filter, 48);
+      const int count = int(reads.size());
+      std::vector<float> surfaces, footprints;
+      for (int i = 0; i < count; ++i) {
+        const ReadPoint& read = reads[i];
+        const Region region = regionOf(map, kernel, read);
+        surfaces.insert(surfaces.end(),
+                        {float(read.u), float(read.v), float(receiverFor(i, i / 5, region)), 0.0f});
+        footprints.insert(footprints.end(), {float(read.footprint.x), float(read.footprint.y),
+                                             float(read.footprint.probes), 0.0f});
+      }
+      gl::Texture surfaceTable(GL_RGBA32F, count, 1), footprintTable(GL_RGBA32F, count, 1);
+      surfaceTable.upload(4, surfaces);
+      footprintTable.upload(4, footprints);
+      const std::vector<float> gpu =
+          baker->evaluate(surfaceTable, &footprintTable, *technique, {kernel, filter});
+      for (int i = 0; i < count; ++i) {
+        const ReadPoint& read = reads[i];
+        const double receiver = surfaces[4 * i + 2];
+        const auto channelsAt = [&](const ReadPoint& at) {
+          return technique->info().prefilterable ? mixedLevels(all, at, map.width(), map.height())
+                                                 : std::vector<double>(layout.size(), 0.0);
+        };
+        const auto visibility = [&](const ReadPoint& at) {
+          const Region region = regionOf(map, kernel, at);
+          return technique->visibility({channelsAt(at), region}, receiver);
+        };
+        const auto truth = [&](const ReadPoint& at) {
+          return referenceVisibility(regionOf(map, kernel, at), receiver);
+        };
+        const Region region = regionOf(map, kernel, read);
+        const std::vector<double> channels = channelsAt(read);
+        // Sums along both axes of every probe's rectangles, and of the probes.
+        const int side = 2 * (2 << mipLevels(map.width(), map.height())) + 2 * kernel.radius;
+        const double summing = (2 * (side + 8) + 2 * read.footprint.probes) * eps;
+        // A mix rounds three times; a read has three for each of two levels and one of these.
+        const int mixing = 3 * 4 + read.footprint.probes + 2;
+        const double arithmetic = bound({channels, region}, receiver, mixing) +
+                                  (technique->info().prefilterable ? 0.0 : summing);
+        ASSERT_NEAR(gpu[2 * i], visibility(read), arithmetic + readError(visibility, read))
+            << "read " << i << " at " << read.u << "," << read.v << ", footprint "
+            << read.footprint.x << "," << read.footprint.y << " with " << read.footprint.probes
+            << " probes, receiver " << receiver;
+        ASSERT_NEAR(gpu[2 * i + 1], truth(read), summing + readError(truth, read))
+            << "reference of read " << i << " at " << read.u << "," << read.v << ", footprint "
+            << read.footprint.x << "," << read.footprint.y << " with " << read.footprint.probes
+            << " probes, receiver " << receiver;
       }
     }
-  }
+  });
 }
 
 // From depths to a read without help of the reference in between: every store on the way rounds.

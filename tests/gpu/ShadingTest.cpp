@@ -51,6 +51,7 @@ TEST_F(Shading, AgreesWithTheReferenceAtEveryKindOfPixel) {
       show(scene, id);
       const SurfaceImage surfaces = renderer->surfaces();
       const Image<float> reference = renderer->reference();
+      const test::VisibilityBound bound(*technique, settings.map.format);
       int compared = 0, penumbra = 0;
       for (int y = 0; y < height; y += 3) {
         for (int x = 0; x < width; x += 3) {
@@ -64,8 +65,7 @@ TEST_F(Shading, AgreesWithTheReferenceAtEveryKindOfPixel) {
           const auto visibility = [&](double a, double b) { return visibilityAt(a, b, receiver); };
           const auto truth = [&](double a, double b) { return referenceAt(a, b, receiver); };
           // Stored channels carry the prefilter's rounding as well.
-          const double arithmetic =
-              test::visibilityError(*technique, settings.map.format, {channels, region}, receiver);
+          const double arithmetic = bound({channels, region}, receiver);
           ASSERT_NEAR(surfaces.visibility(x, y), visibility(u, v),
                       arithmetic + positionError(visibility, u, v))
               << "pixel " << x << "," << y;

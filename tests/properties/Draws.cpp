@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <set>
 
 #include "filters/core/prefilter/Prefilter.h"
 #include "filters/core/technique/TechniqueCatalogue.h"
+#include "filters/techniques/lvsm/Layers.h"
 
 namespace umbra::draws {
 namespace {
@@ -123,6 +125,58 @@ double receiverFor(const Region& region) {
 void parametersOf(Technique& technique) {
   for (const Parameter& parameter : technique.parameters())
     parameter.set(drawnValue(parameter), "drawn");
+}
+
+std::vector<ParameterValue> endsOf(const Parameter& parameter) {
+  if (!parameter.choices.empty()) {
+    std::vector<ParameterValue> ends;
+    for (std::string_view choice : parameter.choices) ends.emplace_back(std::string(choice));
+    return ends;
+  }
+  if (std::holds_alternative<int>(parameter.defaultValue))
+    return {int(parameter.low), int(parameter.high)};
+  if (std::holds_alternative<double>(parameter.defaultValue))
+    return {parameter.low, parameter.high};
+  std::vector<double> most;
+  for (int k = 1; k < largestLayerCount; ++k)
+    most.push_back(parameter.low + (parameter.high - parameter.low) * k / largestLayerCount);
+  return {std::vector<double>{}, most};
+}
+
+std::vector<std::unique_ptr<Technique>> settingsOf(const std::string& id, int atLeast) {
+  std::vector<std::unique_ptr<Technique>> settings;
+  settings.push_back(make(id));
+  const auto add = [&](std::size_t parameter, const ParameterValue* end) {
+    std::unique_ptr<Technique> technique = make(id);
+    parametersOf(*technique);
+    if (end) technique->parameters()[parameter].set(*end, "end");
+    settings.push_back(std::move(technique));
+  };
+  const std::vector<Parameter> parameters = settings.front()->parameters();
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    for (const ParameterValue& end : endsOf(parameters[i])) add(i, &end);
+  while (int(settings.size()) < atLeast) add(0, nullptr);
+  return settings;
+}
+
+std::string described(const Technique& technique) {
+  std::string text(technique.info().id);
+  const std::unique_ptr<Technique> copy = technique.clone();
+  const char* before = " with ";
+  for (const Parameter& parameter : copy->parameters()) {
+    text += before + std::string(parameter.name) + " " + parameter.text();
+    before = ", ";
+  }
+  return text;
+}
+
+void fromSeed(std::uint64_t seed, const std::function<void()>& draw) {
+  if (const char* other = std::getenv("UMBRA_TEST_SEED")) seed = std::strtoull(other, nullptr, 10);
+  const auto whole = rc::gen::exec([&] {
+    draw();
+    return true;
+  });
+  whole(rc::Random(seed), rc::kNominalSize).value();
 }
 
 StorageFormat formatFor(Technique& technique) {

@@ -1,6 +1,9 @@
-// Random maps, regions, receivers and parameters, drawn by RapidCheck inside a property.
+// Random maps, regions, receivers and parameters, drawn by RapidCheck inside a property, or by
+// fromSeed outside one.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -36,6 +39,17 @@ double receiverFor(const Region& region);
 
 // Draws every parameter of the technique over its whole range.
 void parametersOf(Technique& technique);
+// What a parameter can be at most: both ends of its range, every choice, no splits and the most.
+std::vector<ParameterValue> endsOf(const Parameter& parameter);
+// The technique at its defaults; then, for every parameter and each of its ends, with this value
+// and the others drawn; then with all drawn, until there are `atLeast`.
+std::vector<std::unique_ptr<Technique>> settingsOf(const std::string& id, int atLeast);
+// "esm with exponent 80, bleed-reduction 0".
+std::string described(const Technique& technique);
+
+// Runs `draw` outside a property. The same seed draws the same: what a test that runs by itself
+// draws does not change from run to run, unless UMBRA_TEST_SEED names another number.
+void fromSeed(std::uint64_t seed, const std::function<void()>& draw);
 
 // Draws a format that the technique does not refuse, and limits the technique to it.
 StorageFormat formatFor(Technique& technique);

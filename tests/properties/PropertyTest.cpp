@@ -154,39 +154,93 @@ TEST_P(EveryTechnique, DescribesItself) {
     EXPECT_NE(technique->page().find(section), std::string_view::npos) << section;
 }
 
-// Every uniform of the shader belongs to a parameter, or the technique derives it, with the same
-// type.
-TEST_P(EveryTechnique, SetsEveryUniformOfItsShader) {
-  const auto technique = make();
-  std::set<std::string> given;
-  const auto add = [&](const std::string& type, std::string name, bool array = false) {
-    std::replace(name.begin(), name.end(), '-', '_');
-    given.insert(type + " " + name + (array ? "[16]" : ""));
-  };
-  for (const Parameter& parameter : technique->parameters()) {
-    const std::string name = "umbra_" + std::string(parameter.name);
-    const bool list = std::holds_alternative<std::vector<double>>(parameter.defaultValue);
-    const bool real = std::holds_alternative<double>(parameter.defaultValue);
-    add(real || list ? "float" : "int", name, list);
-    if (list) add("int", name + "_count");
-  }
-  for (const Uniform& uniform : technique->derivedUniforms()) {
-    const auto* list = std::get_if<std::vector<float>>(&uniform.value);
-    EXPECT_TRUE(!list || list->size() == 16);
-    add(std::holds_alternative<int>(uniform.value) ? "int" : "float", uniform.name, list);
-  }
-  std::istringstream shader{std::string(technique->glsl())};
-  const std::regex condition("#if UMBRA_CHANNELS == (\\d+)"), declaration("uniform ([^;]*);.*");
+// "float umbra_overlap", "float umbra_layer_low[16]": what the shader declares where it has the
+// technique's channels.
+std::set<std::string> declaredUniforms(const Technique& technique) {
+  std::set<std::string> declared;
+  std::istringstream shader{std::string(technique.glsl())};
+  const std::regex condition("#if UMBRA_CHANNELS == (\\d+)"), comment("//.*");
+  const std::regex declaration("uniform (float|int) (\\w+(\\[16\\])?); *"), word("\\buniform\\b");
   bool counts = true;
   for (std::string line; std::getline(shader, line);) {
     std::smatch match;
-    if (std::regex_match(line, match, condition)) {
-      counts = std::stoul(match[1]) == technique->channels().size();
-    } else if (line == "#endif") {
+    line = std::regex_replace(line, comment, "");
+    if (std::regex_match(line, match, condition))
+      counts = std::stoul(match[1]) == technique.channels().size();
+    else if (line == "#endif")
       counts = true;
-    } else if (counts && std::regex_match(line, match, declaration)) {
-      EXPECT_TRUE(given.contains(match[1])) << line;
+    else if (std::regex_match(line, match, declaration)) {
+      if (counts) declared.insert(match.str(1) + " " + match.str(2));
+    } else {
+      EXPECT_FALSE(std::regex_search(line, word)) << "not understood: " << line;
     }
+  }
+  return declared;
+}
+
+// Those that a shader may declare for a parameter; a list also has its length.
+std::vector<std::string> uniformsOf(const Parameter& parameter) {
+  std::string name = "umbra_" + std::string(parameter.name);
+  std::replace(name.begin(), name.end(), '-', '_');
+  if (std::holds_alternative<std::vector<double>>(parameter.defaultValue))
+    return {"float " + name + "[16]", "int " + name + "_count"};
+  return {(std::holds_alternative<double>(parameter.defaultValue) ? "float " : "int ") + name};
+}
+
+std::string uniformOf(const Uniform& uniform) {
+  const auto* list = std::get_if<std::vector<float>>(&uniform.value);
+  EXPECT_TRUE(!list || list->size() == 16) << uniform.name;
+  return (std::holds_alternative<int>(uniform.value) ? "int " : "float ") + uniform.name +
+         (list ? "[16]" : "");
+}
+
+// Everything that reaches a shader beside the uniforms of the parameters themselves.
+std::string derivedText(const Technique& technique) {
+  std::ostringstream text;
+  text << technique.channels().size();
+  for (const Uniform& uniform : technique.derivedUniforms()) {
+    text << ' ' << uniform.name;
+    if (const auto* list = std::get_if<std::vector<float>>(&uniform.value))
+      for (float value : *list) text << ' ' << value;
+    else if (const auto* real = std::get_if<float>(&uniform.value))
+      text << ' ' << *real;
+    else
+      text << ' ' << std::get<int>(uniform.value);
+  }
+  return text.str();
+}
+
+// Each in its type: a parameter's own, or one that the technique derives.
+TEST_P(EveryTechnique, SetsEveryUniformOfItsShader) {
+  const auto technique = make();
+  std::set<std::string> given;
+  for (const Parameter& parameter : technique->parameters())
+    for (const std::string& uniform : uniformsOf(parameter)) given.insert(uniform);
+  for (const Uniform& uniform : technique->derivedUniforms()) given.insert(uniformOf(uniform));
+  for (const std::string& uniform : declaredUniforms(*technique))
+    EXPECT_TRUE(given.contains(uniform)) << uniform;
+}
+
+// A parameter that is no uniform changes what is derived, or how many channels there are.
+TEST_P(EveryTechnique, BringsEveryParameterToItsShader) {
+  const auto technique = make();
+  const std::set<std::string> declared = declaredUniforms(*technique);
+  for (const Uniform& uniform : technique->derivedUniforms())
+    EXPECT_TRUE(declared.contains(uniformOf(uniform))) << uniform.name;
+  DepthMap map(3, 2);
+  std::ranges::copy(std::vector{0.1, 0.2, 0.3, 0.35, 0.4, 0.9}, map.values().begin());
+  const std::size_t count = technique->parameters().size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Parameter parameter = technique->parameters()[i];
+    if (declared.contains(uniformsOf(parameter).front())) continue;
+    std::set<std::string> derived;
+    for (const ParameterValue& end : draws::endsOf(parameter)) {
+      const auto changed = make();
+      changed->parameters()[i].set(end, "end");
+      changed->adapt(map);
+      derived.insert(derivedText(*changed));
+    }
+    EXPECT_GE(derived.size(), 2u) << parameter.name << " reaches no shader";
   }
 }
 

@@ -42,8 +42,7 @@ struct TechniqueInfo {
   // channels: one for an operation, two for a division (reciprocal and product), none for a power
   // of two.
   int roundings = 32;
-  double amplification = 1.0;  // of rounding within visibility(), beyond that of its inputs
-  std::string_view colour;     // "#rrggbb", the same in every plot, table and pane
+  std::string_view colour;  // "#rrggbb", the same in every plot, table and pane
 };
 
 // What a technique reads to estimate visibility.
@@ -99,6 +98,10 @@ class Technique {
   virtual void encode(double z, std::span<double> channels) const = 0;
   // The result is in [0,1]; `receiver` is the biased depth of the shaded surface.
   virtual double visibility(const Fetch& fetch, double receiver) const = 0;
+
+  // How many times a rounding within visibility() counts in its result, beyond what rounded inputs
+  // explain. May depend on the parameters.
+  virtual double amplification() const { return 1.0; }
 
   // The numeric chain that ends in visibility(), and the step that goes wrong, if any does: the
   // last step's value is exactly what visibility() returns.

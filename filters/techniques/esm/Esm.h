@@ -4,6 +4,7 @@
 #include "filters/core/technique/Technique.h"
 #include "filters/techniques/evsm/ExponentLimit.h"
 #include "filters/techniques/vsm/BoundFields.h"
+#include "filters/techniques/vsm/Chebyshev.h"
 
 namespace umbra::esm {
 
@@ -30,6 +31,7 @@ class Esm final : public TechniqueWith<Esm, EsmParameters> {
   std::vector<std::string> limitTo(StorageFormat format) override;
   void encode(double z, std::span<double> channels) const override;
   double visibility(const Fetch& fetch, double receiver) const override;
+  double amplification() const override { return reductionSlope(values.bleedReduction); }
   Trace explain(const Fetch& fetch, double receiver) const override;
   std::string_view glsl() const override;
   std::string_view page() const override;

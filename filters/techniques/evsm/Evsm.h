@@ -5,6 +5,7 @@
 #include "filters/core/technique/Technique.h"
 #include "filters/techniques/evsm/ExponentLimit.h"
 #include "filters/techniques/vsm/BoundFields.h"
+#include "filters/techniques/vsm/Chebyshev.h"
 
 namespace umbra::evsm {
 
@@ -56,6 +57,7 @@ class Evsm2 final : public TechniqueWith<Evsm2, Evsm2Parameters> {
   std::vector<std::string> limitTo(StorageFormat format) override;
   void encode(double z, std::span<double> channels) const override;
   double visibility(const Fetch& fetch, double receiver) const override;
+  double amplification() const override { return reductionSlope(values.bleedReduction); }
   Trace explain(const Fetch& fetch, double receiver) const override;
   std::string_view glsl() const override;
   std::string_view page() const override;
@@ -72,6 +74,7 @@ class Evsm4 final : public TechniqueWith<Evsm4, Evsm4Parameters> {
   std::vector<std::string> limitTo(StorageFormat format) override;
   void encode(double z, std::span<double> channels) const override;
   double visibility(const Fetch& fetch, double receiver) const override;
+  double amplification() const override { return reductionSlope(values.bleedReduction); }
   Trace explain(const Fetch& fetch, double receiver) const override;
   std::string_view glsl() const override;
   std::string_view page() const override;

@@ -3,6 +3,7 @@
 
 #include "filters/techniques/lvsm/LayeredTechnique.h"
 #include "filters/techniques/vsm/BoundFields.h"
+#include "filters/techniques/vsm/Chebyshev.h"
 
 namespace umbra::lvsm {
 
@@ -28,6 +29,7 @@ class Lvsm final : public LayeredTechnique<Lvsm, LvsmParameters> {
   std::vector<Channel> channels() const override;
   void encode(double z, std::span<double> channels) const override;
   double visibility(const Fetch& fetch, double receiver) const override;
+  double amplification() const override { return reductionSlope(values.bleedReduction); }
   Trace explain(const Fetch& fetch, double receiver) const override;
   std::string_view glsl() const override;
   std::string_view page() const override;

@@ -1,6 +1,7 @@
 #include "filters/techniques/msm/Msm.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "Msm_glsl.h"
@@ -27,8 +28,6 @@ const TechniqueInfo& Msm::info() const {
       // to those of z, 9 for the moment bias, 24 for the Hankel system, 11 for its two roots and
       // their comparison with z_r, 11 for the occluded share, 5 for the reduction of bleeding.
       .roundings = 93,
-      // About 1/√α for the default bias α: the pivots of the biased Hankel matrix are no smaller.
-      .amplification = 180.0,
       .colour = "#6b8e23"};
   return info;
 }
@@ -76,6 +75,11 @@ double Msm::visibility(const Fetch& fetch, double receiver) const {
   const Moments4 moments = momentsOf(fetch.channels, values.basis);
   return reduceLightBleeding(hamburgerVisibility(moments, receiver, values.momentBias),
                              values.bleedReduction);
+}
+
+// The pivots of the Hankel matrix that is biased by α are no smaller than about √α.
+double Msm::amplification() const {
+  return reductionSlope(values.bleedReduction) / std::sqrt(values.momentBias);
 }
 
 Trace Msm::explain(const Fetch& fetch, double receiver) const {

@@ -39,6 +39,7 @@ class Msm final : public TechniqueWith<Msm, MsmParameters> {
   std::vector<std::string> limitTo(StorageFormat format) override;
   void encode(double z, std::span<double> channels) const override;
   double visibility(const Fetch& fetch, double receiver) const override;
+  double amplification() const override;
   Trace explain(const Fetch& fetch, double receiver) const override;
   std::string_view glsl() const override;
   std::string_view page() const override;

@@ -21,6 +21,11 @@ inline double reduceLightBleeding(double visibility, double amount) {
   return std::clamp((visibility - amount) / (1.0 - amount), 0.0, 1.0);
 }
 
+// How much steeper the result rises than what it is made of.
+inline double reductionSlope(double amount) {
+  return 1.0 / (1.0 - amount);
+}
+
 // The whole chain from two moments to the visibility: eq. 3.2 and 3.3, lit for t ≤ M1, then the
 // reduction. `record` takes its steps (TraceRecorder, Unrecorded).
 template <class Record>

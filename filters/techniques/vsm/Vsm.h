@@ -3,6 +3,7 @@
 
 #include "filters/core/technique/Technique.h"
 #include "filters/techniques/vsm/BoundFields.h"
+#include "filters/techniques/vsm/Chebyshev.h"
 
 namespace umbra::vsm {
 
@@ -26,6 +27,7 @@ class Vsm final : public TechniqueWith<Vsm, VsmParameters> {
   std::vector<Channel> channels() const override { return {{"M1"}, {"M2"}}; }
   void encode(double z, std::span<double> channels) const override;
   double visibility(const Fetch& fetch, double receiver) const override;
+  double amplification() const override { return reductionSlope(values.bleedReduction); }
   Trace explain(const Fetch& fetch, double receiver) const override;
   std::string_view glsl() const override;
   std::string_view page() const override;
