@@ -160,11 +160,4 @@ std::string_view nameOf(LightKind kind) {
   return kind == LightKind::Directional ? "directional" : "spot";
 }
 
-LightKind lightKindFrom(std::string_view name, std::string_view where) {
-  if (name == "directional") return LightKind::Directional;
-  if (name == "spot") return LightKind::Spot;
-  throw Error(ErrorKind::BadCommandLine,
-              std::string(where) + ": '" + std::string(name) + "' is neither directional nor spot");
-}
-
 }  // namespace umbra

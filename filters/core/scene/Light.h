@@ -66,8 +66,6 @@ LightFrame fitLightFrame(const Light& light, const Eigen::AlignedBox3d& bounds);
 void validate(const Light& light, std::string_view where);
 
 std::string_view nameOf(LightKind kind);
-// Throws BadCommandLine for a name that is neither "directional" nor "spot".
-LightKind lightKindFrom(std::string_view name, std::string_view where);
 
 namespace detail {
 

@@ -222,11 +222,5 @@ TEST(Camera, IsValidatedWhole) {
   EXPECT_NE(faultOf(Camera{.up = {0, std::nan(""), 0}}), "");
 }
 
-TEST(Light, HasNamesThatReadBack) {
-  for (LightKind kind : {LightKind::Directional, LightKind::Spot})
-    EXPECT_EQ(lightKindFrom(nameOf(kind), "--light"), kind);
-  EXPECT_THROW(lightKindFrom("sun", "--light"), Error);
-}
-
 }  // namespace
 }  // namespace umbra

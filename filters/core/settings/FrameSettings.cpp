@@ -1,12 +1,7 @@
 #include "filters/core/settings/FrameSettings.h"
 
 #include <span>
-#include <string>
 #include <utility>
-#include <vector>
-
-#include "filters/core/support/Error.h"
-#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {
@@ -38,18 +33,6 @@ std::string_view nameIn(std::span<const std::pair<E, std::string_view>> table, E
   return "";
 }
 
-template <class E>
-E valueIn(std::span<const std::pair<E, std::string_view>> table, std::string_view name,
-          std::string_view where) {
-  std::vector<std::string> names;
-  for (const auto& [value, candidate] : table) {
-    if (candidate == name) return value;
-    names.emplace_back(candidate);
-  }
-  throw Error(ErrorKind::BadCommandLine,
-              std::string(where) + ": '" + std::string(name) + "' is none of " + joined(names));
-}
-
 }  // namespace
 
 std::string_view nameOf(ReadFilter read) {
@@ -63,22 +46,6 @@ std::string_view nameOf(SatPrecision precision) {
 }
 std::string_view nameOf(ViewMode view) {
   return nameIn<ViewMode>(viewModes, view);
-}
-
-ReadFilter readFilterFrom(std::string_view name, std::string_view where) {
-  return valueIn<ReadFilter>(readFilters, name, where);
-}
-
-SatSize satSizeFrom(std::string_view name, std::string_view where) {
-  return valueIn<SatSize>(satSizes, name, where);
-}
-
-SatPrecision satPrecisionFrom(std::string_view name, std::string_view where) {
-  return valueIn<SatPrecision>(satPrecisions, name, where);
-}
-
-ViewMode viewModeFrom(std::string_view name, std::string_view where) {
-  return valueIn<ViewMode>(viewModes, name, where);
 }
 
 }  // namespace umbra

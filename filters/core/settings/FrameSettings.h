@@ -105,11 +105,5 @@ std::string_view nameOf(ReadFilter read);
 std::string_view nameOf(SatSize size);
 std::string_view nameOf(SatPrecision precision);
 std::string_view nameOf(ViewMode view);
-// All of these throw BadCommandLine for an unknown name and list the right ones. The message begins
-// with `where`: an option, or a file and key.
-ReadFilter readFilterFrom(std::string_view name, std::string_view where);
-SatSize satSizeFrom(std::string_view name, std::string_view where);
-SatPrecision satPrecisionFrom(std::string_view name, std::string_view where);
-ViewMode viewModeFrom(std::string_view name, std::string_view where);
 
 }  // namespace umbra

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "filters/core/support/Error.h"
 #include "filters/core/support/Text.h"
 
 namespace umbra {
@@ -30,13 +29,6 @@ std::string_view nameOf(KernelShape shape) {
       return "gaussian";
   }
   return "";
-}
-
-KernelShape kernelShapeFrom(std::string_view name, std::string_view where) {
-  for (auto shape : {KernelShape::None, KernelShape::Box, KernelShape::Gaussian})
-    if (name == nameOf(shape)) return shape;
-  throw Error(ErrorKind::BadCommandLine,
-              std::string(where) + ": '" + std::string(name) + "' is none of none, box, gaussian");
 }
 
 std::string describe(const Kernel& kernel) {

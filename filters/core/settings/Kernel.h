@@ -30,9 +30,6 @@ struct Kernel {
 };
 
 std::string_view nameOf(KernelShape shape);
-// Throws BadCommandLine for a name that is not "none", "box" or "gaussian". `where` is what the
-// message begins with: an option, or a file and key.
-KernelShape kernelShapeFrom(std::string_view name, std::string_view where);
 // For labels: "box 7×7", "Gaussian 7×7, σ 1.5", "no prefilter".
 std::string describe(const Kernel& kernel);
 

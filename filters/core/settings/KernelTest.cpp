@@ -5,8 +5,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "filters/core/support/Error.h"
-
 namespace umbra {
 namespace {
 
@@ -52,18 +50,6 @@ TEST(Kernel, GaussianIsSoundAtEitherEndOfItsSigmas) {
       sum += weight;
     }
     EXPECT_NEAR(sum, 1.0, 129 * 0x1p-53);  // rounding of 129 weights
-  }
-}
-
-TEST(Kernel, ReadsItsNamesBack) {
-  for (KernelShape shape : {KernelShape::None, KernelShape::Box, KernelShape::Gaussian})
-    EXPECT_EQ(kernelShapeFrom(nameOf(shape), "--kernel"), shape);
-  try {
-    kernelShapeFrom("tent", "--kernel");
-    ADD_FAILURE() << "was accepted";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::BadCommandLine);
-    EXPECT_EQ(std::string(error.what()), "--kernel: 'tent' is none of none, box, gaussian");
   }
 }
 

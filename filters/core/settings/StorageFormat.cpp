@@ -3,16 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
-
-#include "filters/core/support/Error.h"
 
 namespace umbra {
 namespace {
-
-constexpr StorageFormat allFormats[] = {StorageFormat::Unorm8, StorageFormat::Unorm16,
-                                        StorageFormat::Half, StorageFormat::Float,
-                                        StorageFormat::Double};
 
 double quantised(double value, double low, double high, double steps) {
   const double fraction = std::clamp((value - low) / (high - low), 0.0, 1.0);
@@ -98,13 +91,6 @@ std::string_view nameOf(StorageFormat format) {
       return "double";
   }
   return "";
-}
-
-StorageFormat storageFormatFrom(std::string_view name, std::string_view where) {
-  for (StorageFormat format : allFormats)
-    if (name == nameOf(format)) return format;
-  throw Error(ErrorKind::BadCommandLine, std::string(where) + ": '" + std::string(name) +
-                                             "' is none of unorm8, unorm16, half, float, double");
 }
 
 }  // namespace umbra

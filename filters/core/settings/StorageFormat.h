@@ -20,8 +20,5 @@ double unitRoundoff(StorageFormat format);
 
 bool isNormalised(StorageFormat format);
 std::string_view nameOf(StorageFormat format);
-// Throws BadCommandLine for a name that is not unorm8, unorm16, half, float or double. `where` is
-// what the message begins with: an option, or a file and key.
-StorageFormat storageFormatFrom(std::string_view name, std::string_view where);
 
 }  // namespace umbra

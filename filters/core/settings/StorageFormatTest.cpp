@@ -6,8 +6,6 @@
 #include <limits>
 #include <random>
 
-#include "filters/core/support/Error.h"
-
 namespace umbra {
 namespace {
 
@@ -80,19 +78,6 @@ TEST(StorageFormat, FloatIsTheMachines) {
   EXPECT_EQ(stored(0.1, StorageFormat::Double), 0.1);
   EXPECT_EQ(largestOf(StorageFormat::Half), 65504.0);
   EXPECT_EQ(largestOf(StorageFormat::Float), double(std::numeric_limits<float>::max()));
-}
-
-TEST(StorageFormat, ReadsItsNamesBack) {
-  for (StorageFormat format : every)
-    EXPECT_EQ(storageFormatFrom(nameOf(format), "--format"), format);
-  try {
-    storageFormatFrom("fp16", "--format");
-    ADD_FAILURE() << "was accepted";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::BadCommandLine);
-    EXPECT_TRUE(std::string(error.what()).starts_with("--format: 'fp16'")) << error.what();
-    EXPECT_NE(std::string(error.what()).find("half"), std::string::npos) << "says what is right";
-  }
 }
 
 }  // namespace
