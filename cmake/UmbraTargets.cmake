@@ -4,9 +4,8 @@ include_guard()
 add_library(umbra_options INTERFACE)
 target_include_directories(umbra_options INTERFACE ${CMAKE_SOURCE_DIR})
 target_compile_options(umbra_options INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wno-missing-field-initializers
-  # GCC 12 sees overlapping and overlong copies in std::string's operator+ where there are none (bug
-  # 105651); the latter only with precompiled headers.
-  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict -Wno-stringop-overflow -Wno-array-bounds>
+  # GCC 12 sees overlapping copies in std::string's operator+ where there are none (bug 105651).
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   $<$<BOOL:${UMBRA_WARNINGS_ARE_ERRORS}>:-Werror>
   $<$<BOOL:${UMBRA_SANITIZE}>:-fsanitize=address,undefined -fno-omit-frame-pointer>)
 target_link_options(umbra_options INTERFACE
