@@ -4,6 +4,7 @@
 #include "analysis/errors/CompareMap.h"
 #include "app/commands/Commands.h"
 #include "app/display/DisplayLibrary.h"
+#include "app/frames/Drawings.h"
 #include "app/frames/FrameDecomposition.h"
 #include "app/frames/RayTracedFrame.h"
 #include "app/frames/SceneCompare.h"
@@ -27,7 +28,7 @@ struct CompareCommand {
   void run() const;
   void compareMap(Session session) const;
   void compareScene(const Session& session) const;
-  std::vector<std::shared_ptr<Technique>> techniques(const Session& session) const;
+  std::vector<Drawing> drawings(const Session& session) const;
   bool rayTraced() const;
   std::optional<SurfaceOptions> surfaceOptions() const;
 
@@ -73,13 +74,20 @@ CompareCommand::CompareCommand(OptionParser& command) {
       "-o\n"
       "writes no error pictures. --surfaces counts what faces the light inside its map: of a body "
       "the\n"
-      "outside, of a sheet both sides.");
+      "outside, of a sheet both sides. Of a session that compares every pane is a row, with its "
+      "own\n"
+      "settings, unless --technique names techniques.");
   options.addTo(command);
 }
 
-std::vector<std::shared_ptr<Technique>> CompareCommand::techniques(const Session& session) const {
-  return makeTechniques(session, catalogue,
-                        options.techniques(catalogue, everyTechnique(catalogue)));
+// The panes of a session that compares, unless techniques are named.
+std::vector<Drawing> CompareCommand::drawings(const Session& session) const {
+  const bool named = !options.techniques(catalogue, {}).ids.empty();
+  if (!named && session.comparison.mode != ComparisonMode::Single)
+    return drawingsOfPanes(session, catalogue);
+  return drawingsOf(
+      session,
+      makeTechniques(session, catalogue, options.techniques(catalogue, everyTechnique(catalogue))));
 }
 
 bool CompareCommand::rayTraced() const {
@@ -122,22 +130,32 @@ void CompareCommand::compareMap(Session session) const {
                 "--surfaces: a depth map has none; give --scene NAME or a mesh file");
   if (!options.namesFormat() && !options.namesSession()) chooseFormatFor(session);
   session.frame = readSettingsOf(session);
-  const auto chosen = techniques(session);
+  const std::vector<Drawing> chosen = drawings(session);
   const DepthMap map = loadDepthMap(session.source);
-  for (const auto& technique : chosen) {
-    throwIfCancelled();
-    technique->adapt(map);
-  }
-  const std::vector<std::shared_ptr<const Technique>> adapted(chosen.begin(), chosen.end());
-  const Kernel& kernel = session.frame.kernel;
-  const StorageFormat format = session.frame.map.format;
-  const auto metrics =
-      compareOnMap(map, adapted, kernel, format, *session.receiver, throwIfCancelled);
   std::vector<MetricsRow> rows;
-  for (std::size_t i = 0; i < adapted.size(); ++i) {
-    throwIfCancelled();
-    rows.push_back({std::string(adapted[i]->info().id), metrics[i],
-                    bleedReductionOnMap(map, *adapted[i], kernel, format, *session.receiver)});
+  // Drawings with the same settings are measured together, in one walk over the map.
+  for (std::size_t first = 0; first < chosen.size();) {
+    const FrameSettings frame = chosen[first].session.frame;
+    std::vector<std::shared_ptr<const Technique>> adapted;
+    std::size_t next = first;
+    for (; next < chosen.size() && chosen[next].session.frame == frame; ++next) {
+      throwIfCancelled();
+      chosen[next].technique->adapt(map);
+      adapted.push_back(chosen[next].technique);
+    }
+    const StorageFormat format = frame.map.format;
+    const auto metrics =
+        compareOnMap(map, adapted, frame.kernel, format, *session.receiver, throwIfCancelled);
+    for (std::size_t i = 0; i < adapted.size(); ++i) {
+      throwIfCancelled();
+      MetricsRow row{
+          std::string(adapted[i]->info().id), metrics[i],
+          bleedReductionOnMap(map, *adapted[i], frame.kernel, format, *session.receiver)};
+      row.pane = chosen[first + i].pane;
+      row.differences = chosen[first + i].differences;
+      rows.push_back(std::move(row));
+    }
+    first = next;
   }
   throwIfCancelled();
   if (json) return printJson(compareToJson(rows));
@@ -151,23 +169,31 @@ void CompareCommand::compareScene(const Session& session) const {
   if (receiver) throw Error(ErrorKind::BadCommandLine, "--receiver: only goes with --depth");
   const std::optional<SurfaceOptions> asked = surfaceOptions();
   checkGpuFormat(session);
-  const auto chosen = techniques(session);
+  const std::vector<Drawing> chosen = drawings(session);
+  for (const Drawing& drawing : chosen) checkGpuFormat(drawing.session);
   const auto scene = std::make_shared<const Scene>(loadScene(session.source));
-  std::optional<SurfaceCompare> onSurfaces;
-  if (asked) onSurfaces.emplace(session.frame, *asked, rayTraced());
   const std::unique_ptr<Display> display = loadDisplay();
   const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
   std::optional<OutputFolder> files;
   if (folder) files.emplace(*folder);
-  std::optional<RayTracedReference> rays;  // the same whatever the technique
+  std::optional<SurfaceCompare> onSurfaces;
+  std::optional<RayTracedReference> rays;   // the same whatever the technique
+  const FrameSettings* settings = nullptr;  // of both
   std::vector<MetricsRow> rows;
-  for (const auto& technique : chosen) {
+  for (const Drawing& drawing : chosen) {
     throwIfCancelled();
-    const std::string id(technique->info().id);
-    frame->render(*technique, rayTraced() ? ViewMode::Shaded : ViewMode::Error);
+    const Technique& technique = *drawing.technique;
+    if (!settings || !(drawing.session.frame == *settings)) {
+      rays.reset();
+      if (asked) onSurfaces.emplace(drawing.session.frame, *asked, rayTraced());
+      settings = &drawing.session.frame;
+    }
+    frame->show(scene, drawing.session);
+    frame->render(technique, rayTraced() ? ViewMode::Shaded : ViewMode::Error);
     if (rayTraced() && !rays) rays = rayTracedReference(*frame);
     if (files && !rays)
-      display->writePictures({{id, frame->colour()}}, files->file("error-" + id + ".png"));
+      display->writePictures({{drawing.name, frame->colour()}},
+                             files->file("error-" + drawing.name + ".png"));
     std::optional<ErrorSums> parts;
     std::optional<double> mapError;
     if (decompose) {
@@ -175,17 +201,19 @@ void CompareCommand::compareScene(const Session& session) const {
       parts = sumsOf(taken.parts);
       mapError = taken.meanOfMap;
       if (files)
-        decompositionFile(session, *technique, taken)
-            .write(files->file("decomposition-" + id + ".exr"));
+        decompositionFile(drawing.session, technique, taken)
+            .write(files->file("decomposition-" + drawing.name + ".exr"));
     }
     std::optional<SurfaceErrors> onMesh;
     if (onSurfaces) onMesh = onSurfaces->errors(*frame);
     if (onMesh && files)
-      onSurfaces->write(onMesh->mesh, files->file(onSurfaces->fileName(*technique)), *display);
-    rows.push_back(compareFrame(*frame, *technique, rays ? &*rays : nullptr));
-    rows.back().decomposition = parts;
-    rows.back().mapError = mapError;
-    if (onMesh) rows.back().surfaces = onMesh->summary;
+      onSurfaces->write(onMesh->mesh, files->file(onSurfaces->fileName(drawing.name)), *display);
+    MetricsRow& row = rows.emplace_back(compareFrame(*frame, technique, rays ? &*rays : nullptr));
+    row.decomposition = parts;
+    row.mapError = mapError;
+    if (onMesh) row.surfaces = onMesh->summary;
+    row.pane = drawing.pane;
+    row.differences = drawing.differences;
   }
   throwIfCancelled();
   const std::string_view truth = rays ? "raytraced" : "pcf";

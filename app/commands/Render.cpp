@@ -3,29 +3,19 @@
 #include <memory>
 #include <optional>
 
-#include <spdlog/spdlog.h>
-
 #include "app/commands/Commands.h"
 #include "app/display/DisplayLibrary.h"
+#include "app/frames/Drawings.h"
 #include "app/frames/FrameLayers.h"
 #include "app/frames/TechniqueSet.h"
 #include "app/options/SceneSources.h"
 #include "app/options/SessionOptions.h"
 #include "app/output/Cancellation.h"
 #include "app/output/Output.h"
-#include "datasets/session/PaneLabels.h"
 #include "filters/core/support/Error.h"
-#include "filters/core/technique/Composition.h"
 
 namespace umbra {
 namespace {
-
-// One picture of a sheet.
-struct Drawing {
-  Session session;
-  std::shared_ptr<Technique> technique;
-  std::string label;
-};
 
 struct RenderCommand {
   explicit RenderCommand(OptionParser& command);
@@ -46,7 +36,6 @@ struct RenderCommand {
     return !named() && session.comparison.mode != ComparisonMode::Single;
   }
   std::vector<Drawing> drawings(const Session& session) const;
-  std::vector<Drawing> panes(const Session& session) const;
 };
 
 // From `at` of the width (0 … 1) on, `left` becomes `right`.
@@ -57,11 +46,6 @@ void wipe(Image<std::uint8_t>& left, const Image<std::uint8_t>& right, double at
       for (int c = 0; c < 3; ++c) left(x, y, c) = right(x, y, c);
 }
 
-std::string nameOfPane(const Technique& technique, const std::string& label) {
-  const std::string title(technique.info().title);
-  return label.empty() ? title : title + " · " + label;
-}
-
 RenderCommand::RenderCommand(OptionParser& command) {
   command.add("-o,--output", output,
               {"Render", "FILE.png|FILE.exr", "Picture, or its layers as floats"});
@@ -70,7 +54,8 @@ RenderCommand::RenderCommand(OptionParser& command) {
       "compares; a session's wipe is one picture of two. An EXR has R, G, B of the first, per\n"
       "pixel u, v (in the map; u < 0 without a surface), receiver (negative where the surface\n"
       "faces away from the light) and reference, and TECHNIQUE.R .G .B .visibility .error for\n"
-      "each; of a session's panes it has the active one only.");
+      "each. Of a session that compares it has a part for each pane, named by its technique, with\n"
+      "R, G, B, u, v, receiver, reference, visibility and error.");
   options.addTo(command);
 }
 
@@ -80,32 +65,10 @@ std::vector<std::shared_ptr<Technique>> RenderCommand::techniques(
 }
 
 std::vector<Drawing> RenderCommand::drawings(const Session& session) const {
-  if (compares(session)) return panes(session);
-  std::vector<Drawing> drawings;
-  for (auto& technique : techniques(session, {{session.technique}}))
-    drawings.push_back({session, technique, std::string(technique->info().title)});
-  return drawings;
-}
-
-// What a session compares, each pane with its settings; of several beside each other, one that
-// cannot be is left out.
-std::vector<Drawing> RenderCommand::panes(const Session& session) const {
-  std::vector<Drawing> drawings;
-  const std::vector<std::string> labels = paneLabels(session, catalogue);
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    const Session pane = activated(session, i);
-    checkGpuFormat(pane);
-    const std::string why =
-        whyImpossible(pane.frame, *techniqueOf(pane, catalogue, pane.technique));
-    const bool last = i + 1 == labels.size() && drawings.empty();
-    if (!why.empty() && pane.comparison.mode == ComparisonMode::Grid && !last) {
-      spdlog::warn("left out: {}", why);
-      continue;
-    }
-    const auto technique = makeTechniques(pane, catalogue, {{pane.technique}}).front();
-    drawings.push_back({pane, technique, nameOfPane(*technique, labels[i])});
-  }
-  return drawings;
+  if (!compares(session)) return drawingsOf(session, techniques(session, {{session.technique}}));
+  std::vector<Drawing> panes = drawingsOfPanes(session, catalogue);
+  for (const Drawing& pane : panes) checkGpuFormat(pane.session);
+  return panes;
 }
 
 void RenderCommand::run() const {
@@ -146,24 +109,26 @@ void RenderCommand::renderPicture(const Session& session) const {
 }
 
 void RenderCommand::renderLayers(const Session& session) const {
-  const auto chosen = techniques(session, {{session.technique}});
-  if (compares(session)) {
-    const std::vector<std::string> labels = paneLabels(session, catalogue);
-    spdlog::warn("an EXR has one pane: {}, the active one of the {} that the session compares",
-                 nameOfPane(*chosen.front(), labels.at(comparisonOf(session).active)),
-                 labels.size());
-  }
+  const std::vector<Drawing> chosen = drawings(session);
   const auto scene = std::make_shared<const Scene>(loadScene(session.source));
   const std::unique_ptr<Display> display = loadDisplay();
   const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
   FrameLayers layers(session);
-  for (const auto& technique : chosen) {
+  std::vector<ExrPart> parts;  // of panes
+  for (const Drawing& drawing : chosen) {
     throwIfCancelled();
-    frame->render(*technique, session.frame.view);
-    layers.add(*technique, *frame);
+    frame->show(scene, drawing.session);
+    frame->render(*drawing.technique, drawing.session.frame.view);
+    if (drawing.pane == 0)
+      layers.add(*drawing.technique, *frame);
+    else
+      parts.push_back(partOf(drawing, *frame));
   }
   throwIfCancelled();
-  layers.write(*output);
+  if (parts.empty())
+    layers.write(*output);
+  else
+    writeExr(*output, parts);
 }
 
 }  // namespace

@@ -21,6 +21,24 @@ Image<float> linearChannel(const Image<std::uint8_t>& colour, int channel) {
   return linear;
 }
 
+void addColours(ChannelFile& file, const std::string& prefix, const Image<std::uint8_t>& colour) {
+  constexpr std::array<const char*, 3> names{"R", "G", "B"};
+  for (int c = 0; c < 3; ++c) file.add(prefix + names[c], linearChannel(colour, c));
+}
+
+void addSurfaces(ChannelFile& file, const SurfaceImage& surfaces, const Image<float>& reference) {
+  file.add("u", channelOf(surfaces.coded(), 0));
+  file.add("v", channelOf(surfaces.coded(), 1));
+  file.add("receiver", channelOf(surfaces.coded(), 2));
+  file.add("reference", reference);
+}
+
+void addVisibility(ChannelFile& file, const std::string& prefix, const SurfaceImage& surfaces,
+                   const Image<float>& reference) {
+  file.add(prefix + "visibility", channelOf(surfaces.coded(), 3));
+  file.add(prefix + "error", errorOf(surfaces, reference));
+}
+
 }  // namespace
 
 Image<float> errorOf(const SurfaceImage& surfaces, const Image<float>& reference) {
@@ -33,24 +51,27 @@ Image<float> errorOf(const SurfaceImage& surfaces, const Image<float>& reference
 
 void FrameLayers::add(const Technique& technique, HeadlessFrame& frame) {
   const std::string prefix = std::string(technique.info().id) + ".";
+  const bool first = std::exchange(first_, false);
   const Image<std::uint8_t> colour = frame.colour();
   const SurfaceImage surfaces = frame.surfaces();
   const Image<float> reference = frame.reference();
-  constexpr std::array<const char*, 3> colours{"R", "G", "B"};
-  for (int c = 0; c < 3; ++c) {
-    const Image<float> linear = linearChannel(colour, c);
-    if (first_) file_.add(colours[c], linear);
-    file_.add(prefix + colours[c], linear);
-  }
-  if (std::exchange(first_, false)) {
-    file_.add("u", channelOf(surfaces.coded(), 0));
-    file_.add("v", channelOf(surfaces.coded(), 1));
-    file_.add("receiver", channelOf(surfaces.coded(), 2));
-    file_.add("reference", reference);
-  }
-  file_.add(prefix + "visibility", channelOf(surfaces.coded(), 3));
-  file_.add(prefix + "error", errorOf(surfaces, reference));
+  if (first) addColours(file_, "", colour);
+  addColours(file_, prefix, colour);
+  if (first) addSurfaces(file_, surfaces, reference);
+  addVisibility(file_, prefix, surfaces, reference);
   file_.addParameters(technique);
+}
+
+ExrPart partOf(const Drawing& pane, HeadlessFrame& frame) {
+  ChannelFile file(pane.session);
+  const SurfaceImage surfaces = frame.surfaces();
+  const Image<float> reference = frame.reference();
+  addColours(file, "", frame.colour());
+  addSurfaces(file, surfaces, reference);
+  addVisibility(file, "", surfaces, reference);
+  file.addParameters(*pane.technique);
+  file.note("umbrascope.pane", pane.label);
+  return file.part(pane.name);
 }
 
 }  // namespace umbra

@@ -4,7 +4,9 @@
 #include <filesystem>
 
 #include "app/display/Display.h"
+#include "app/frames/Drawings.h"
 #include "app/output/ChannelFile.h"
+#include "datasets/maps/ExrFile.h"
 
 namespace umbra {
 
@@ -23,6 +25,10 @@ class FrameLayers {
   ChannelFile file_;
   bool first_ = true;
 };
+
+// The frame of a pane as it was last rendered, as a part of a file: R, G, B, u, v, receiver,
+// reference, visibility and error. Its attributes are the pane's own.
+ExrPart partOf(const Drawing& pane, HeadlessFrame& frame);
 
 // visibility − reference where a pixel receives shadow, else 0.
 Image<float> errorOf(const SurfaceImage& surfaces, const Image<float>& reference);

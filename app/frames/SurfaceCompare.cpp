@@ -50,8 +50,8 @@ SurfaceErrors SurfaceCompare::errors(HeadlessFrame& frame) {
                        [](double) { throwIfCancelled(); });
 }
 
-std::string SurfaceCompare::fileName(const Technique& technique) const {
-  return "bleeding-" + std::string(technique.info().id) + "." + options_.extension;
+std::string SurfaceCompare::fileName(const std::string& name) const {
+  return "bleeding-" + name + "." + options_.extension;
 }
 
 void SurfaceCompare::write(const FieldMesh& mesh, const std::filesystem::path& file,

@@ -30,8 +30,8 @@ class SurfaceCompare {
   // Errors with the map of the frame that was last rendered, and with its technique. Works on every
   // core; can be interrupted.
   SurfaceErrors errors(HeadlessFrame& frame);
-  // "bleeding-vsm.vtp"
-  std::string fileName(const Technique& technique) const;
+  // "bleeding-vsm.vtp" for the drawing of the name "vsm".
+  std::string fileName(const std::string& name) const;
   void write(const FieldMesh& mesh, const std::filesystem::path& file, Display& display) const;
 
  private:

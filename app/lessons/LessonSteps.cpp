@@ -37,9 +37,9 @@ Metrics metricsOf(HeadlessFrame& frame, const Technique& technique) {
 
 // The scene of the last step on one context: steps that look at the same scene do not load it
 // again.
-class Stage {
+class ShownScene {
  public:
-  explicit Stage(Display& display) : display_(display) {}
+  explicit ShownScene(Display& display) : display_(display) {}
 
   HeadlessFrame& show(const Session& session) {
     if (!scene_ || !(source_ == session.source)) {
@@ -60,10 +60,10 @@ class Stage {
   std::unique_ptr<HeadlessFrame> frame_;
 };
 
-StepResult measure(Stage& stage, const Lesson& lesson, std::size_t step) {
+StepResult measure(ShownScene& shown, const Lesson& lesson, std::size_t step) {
   const Session& session = lesson.steps[step].session;
   const TechniqueCatalogue catalogue = allTechniques();
-  HeadlessFrame* frame = &stage.show(session);
+  HeadlessFrame* frame = &shown.show(session);
   std::vector<std::shared_ptr<Technique>> techniques;
   for (const std::string& id : techniquesOf(lesson, step))
     techniques.push_back(techniqueOf(session, catalogue, id));
@@ -83,11 +83,11 @@ StepResult measure(Stage& stage, const Lesson& lesson, std::size_t step) {
 
 std::vector<StepResult> measureSteps(Display& display, const Lesson& lesson) {
   std::vector<StepResult> results;
-  Stage stage(display);
+  ShownScene shown(display);
   for (std::size_t step = 0; step < lesson.steps.size(); ++step) {
     throwIfCancelled();
     try {
-      results.push_back(measure(stage, lesson, step));
+      results.push_back(measure(shown, lesson, step));
     } catch (const Error& error) {
       // What is wrong is in the lesson, not among the options of this command.
       const bool input =

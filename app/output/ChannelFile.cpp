@@ -1,6 +1,5 @@
 #include "app/output/ChannelFile.h"
 
-#include "datasets/maps/ExrFile.h"
 #include "datasets/session/SessionSettings.h"
 #include "datasets/session/file/SessionFile.h"
 
@@ -51,6 +50,10 @@ void ChannelFile::addParameters(const Technique& technique) {
 
 void ChannelFile::add(const std::string& name, Image<float> channel) {
   channels_[name] = std::move(channel);
+}
+
+void ChannelFile::note(const std::string& name, const std::string& text) {
+  attributes_[name] = text;
 }
 
 void ChannelFile::write(const std::filesystem::path& file) const {

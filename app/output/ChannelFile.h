@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 
+#include "datasets/maps/ExrFile.h"
 #include "datasets/session/Session.h"
 #include "filters/core/maps/Image.h"
 
@@ -21,6 +22,10 @@ class ChannelFile {
   void addTechnique(const Technique& technique, const Image<float>& channels);
   void addParameters(const Technique& technique);
   void add(const std::string& name, Image<float> channel);
+  void note(const std::string& name, const std::string& text);  // a further attribute
+
+  // All that was added, as one of several parts of a file.
+  ExrPart part(const std::string& name) const { return {name, channels_, attributes_}; }
 
   // Throws BadOutput; nothing half-written.
   void write(const std::filesystem::path& file) const;

@@ -26,7 +26,7 @@ std::string decompositionText(const std::vector<MetricsRow>& rows) {
   for (const MetricsRow& row : rows) {
     if (!row.decomposition) continue;
     const double error = row.decomposition->error + row.mapError.value_or(0.0);
-    table.push_back({row.technique, shortNumber(error)});
+    table.push_back({nameOf(row), shortNumber(error)});
     for (double mean : row.decomposition->means) table.back().push_back(shortNumber(mean));
     if (againstRays) table.back().push_back(shortNumber(*row.mapError));
   }
@@ -57,10 +57,12 @@ void writeCompare(OutputFolder& folder, const std::vector<MetricsRow>& rows,
 std::string compareText(const std::vector<MetricsRow>& rows) {
   std::vector<TableRow> table{
       {"TECHNIQUE", "RMSE", "MAE", "BLEEDING", "DARKENING", "MAX", "MIN", "UMBRA BLEEDING"}};
-  for (const auto& [id, m, reduction, decomposition, surfaces, mapError] : rows)
-    table.push_back({id, shortNumber(m.rmse), shortNumber(m.mae), shortNumber(m.bleeding),
+  for (const MetricsRow& row : rows) {
+    const Metrics& m = row.metrics;
+    table.push_back({nameOf(row), shortNumber(m.rmse), shortNumber(m.mae), shortNumber(m.bleeding),
                      shortNumber(m.darkening), shortNumber(m.max), shortNumber(m.min),
                      shortNumber(m.umbraBleeding)});
+  }
   const std::size_t samples = rows.empty() ? 0 : rows.front().metrics.samples;
   return tableText(table) + decompositionText(rows) + surfacesText(rows) + "\n" +
          std::to_string(samples) + " samples\n";

@@ -128,9 +128,22 @@ void addRayTraced(Json& object, double visibility, bool replaces) {
     row["error"] = row["visibility"].get<double>() - visibility;
 }
 
+std::string nameOf(const MetricsRow& row) {
+  if (row.pane == 0) return row.technique;
+  std::string name = row.technique + ", pane " + std::to_string(row.pane);
+  std::string separator = ": ";
+  for (const auto& [setting, value] : row.differences.items()) {
+    name += separator + setting + " ";
+    name += value.is_string() ? value.get<std::string>() : value.dump();
+    separator = ", ";
+  }
+  return name;
+}
+
 Json compareToJson(const std::vector<MetricsRow>& rows, std::string_view reference) {
   Json techniques = Json::array();
-  for (const auto& [id, metrics, reduction, decomposition, surfaces, mapError] : rows) {
+  for (const auto& [id, metrics, reduction, decomposition, surfaces, mapError, pane, differences] :
+       rows) {
     Json row = {{"name", id},
                 {"rmse", metrics.rmse},
                 {"mae", metrics.mae},
@@ -146,6 +159,10 @@ Json compareToJson(const std::vector<MetricsRow>& rows, std::string_view referen
                                   {"removesAll", reduction->removesAll}};
     if (decomposition) row["decomposition"] = decompositionToJson(*decomposition, mapError);
     if (surfaces) row["surfaces"] = surfacesToJson(*surfaces);
+    if (pane > 0) {
+      row["pane"] = pane;
+      row["settings"] = differences;
+    }
     techniques.push_back(row);
   }
   return {{"format", "umbrascope-compare/1"},

@@ -52,10 +52,16 @@ struct MetricsRow {
   std::optional<SurfaceSummary> surfaces;   // where asked for
   // Beside the parts of a decomposition against rays: the mean error of the map itself.
   std::optional<double> mapError;
+  std::size_t pane = 0;               // of a session that compares, from 1; 0 is no pane
+  Json differences = Json::object();  // a pane's settings that differ from another's
 };
+// How tables for people name the row: "vsm", or of a pane "vsm, pane 2: kernel.radius 12".
+std::string nameOf(const MetricsRow& row);
+
 // "umbrascope-compare/1". The darkening of a smallest reduction is a mean, as that of the metrics.
 // The parts of a decomposition are means over all samples and add up to its "error"; against rays
 // "map" is one of them.
+// A pane's row has its number as "pane" and what differs from other panes as "settings".
 // "reference" names the truth: "pcf" or "raytraced".
 Json compareToJson(const std::vector<MetricsRow>& rows, std::string_view reference = "pcf");
 

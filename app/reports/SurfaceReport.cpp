@@ -52,7 +52,7 @@ std::string surfacesText(const std::vector<MetricsRow>& rows) {
   for (const MetricsRow& row : rows) {
     if (!row.surfaces) continue;
     const SurfaceSums& all = row.surfaces->all;
-    table.push_back({row.technique, shortNumber(all.area), shortNumber(all.shadowedArea),
+    table.push_back({nameOf(row), shortNumber(all.area), shortNumber(all.shadowedArea),
                      shortNumber(all.bleedingArea), shortNumber(all.meanBleeding),
                      all.worst ? shortNumber(all.worst->error) : "-", placeText(all.worst)});
   }

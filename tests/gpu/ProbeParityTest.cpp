@@ -1,6 +1,6 @@
 // What a probe computes against what the shaded frame used at its pixel, for every technique and
 // every way to read the map.
-#include "analysis/frame/DrawnFrame.h"
+#include "analysis/frame/FrameReads.h"
 #include "filters/core/prefilter/Prefilter.h"
 #include "filters/core/support/Error.h"
 #include "filters/core/technique/Composition.h"
@@ -55,7 +55,6 @@ class ProbeParity : public test::FrameFixture, public testing::WithParamInterfac
   }
 
   void compareFrame() {
-    const Image<float> surfaces = renderer->surfaces();
     const test::VisibilityBound bound(*probed, settings.map.format);
     const test::SatBound sums(*probed, settings.map.format,
                               encodeMap(renderer->depthMap(), *probed, settings.map.format));

@@ -57,8 +57,8 @@ class Channels final : public TechniqueWith<Channels, NoParameters> {
     return {{"z"}, {"1-z"}, {"z/2"}, {"1-z/2"}, {"z-1", Reduction::Mean, -1.0, 0.0}};
   }
   void encode(double z, std::span<double> channels) const override {
-    const double values[] = {z, 1 - z, z / 2, 1 - z / 2, z - 1};
-    std::copy(std::begin(values), std::end(values), channels.begin());
+    const double encoded[] = {z, 1 - z, z / 2, 1 - z / 2, z - 1};
+    std::copy(std::begin(encoded), std::end(encoded), channels.begin());
   }
   double visibility(const Fetch& fetch, double receiver) const override {
     return fetch.channels[std::size_t(receiver)];

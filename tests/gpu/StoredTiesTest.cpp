@@ -41,8 +41,8 @@ class StoredTies : public test::GpuTest, public testing::WithParamInterface<Stor
 
 TEST_P(StoredTies, AreRoundedAsTheReferenceDoes) {
   const std::vector<float> depths = tiesOf(GetParam());
-  constexpr int width = 64;
-  DepthMap map(width, int((depths.size() + width - 1) / width), 1, 1.0);
+  constexpr int columns = 64;
+  DepthMap map(columns, int((depths.size() + columns - 1) / columns), 1, 1.0);
   std::copy(depths.begin(), depths.end(), map.values().begin());
   const auto technique = allTechniques().make("power-cdf");  // its channels are the depth itself
   technique->adapt(map);
@@ -61,7 +61,7 @@ TEST_P(StoredTies, AreRoundedAsTheReferenceDoes) {
 INSTANTIATE_TEST_SUITE_P(Formats, StoredTies,
                          testing::Values(StorageFormat::Unorm8, StorageFormat::Unorm16,
                                          StorageFormat::Half),
-                         [](const auto& info) { return std::string(nameOf(info.param)); });
+                         [](const auto& drawn) { return std::string(nameOf(drawn.param)); });
 
 }  // namespace
 }  // namespace umbra

@@ -121,27 +121,27 @@ class ChoiceEditor : public SettingEditor {
  protected:
   // A value that is not offered is added.
   void showValue(const SettingValue& value) override {
-    int data = 0;
+    int number = 0;
     if (const auto* name = std::get_if<std::string>(&value))
-      data = int(std::find(info().choices.begin(), info().choices.end(), *name) -
-                 info().choices.begin());
+      number = int(std::find(info().choices.begin(), info().choices.end(), *name) -
+                   info().choices.begin());
     else
-      data = std::get<int>(value);
-    if (box_->findData(data) < 0) box_->addItem(textOf(data), data);
-    box_->setCurrentIndex(box_->findData(data));
+      number = std::get<int>(value);
+    if (box_->findData(number) < 0) box_->addItem(textOf(number), number);
+    box_->setCurrentIndex(box_->findData(number));
   }
 
  private:
-  SettingValue valueOf(int data) const {
-    if (info().choices.empty()) return data;
-    return std::string(info().choices[std::size_t(data)]);
+  SettingValue valueOf(int number) const {
+    if (info().choices.empty()) return number;
+    return std::string(info().choices[std::size_t(number)]);
   }
 
-  QString textOf(int data) const {
+  QString textOf(int number) const {
     if (info().choices.empty())
-      return style::text(info().offeredAs).replace('#', QString::number(data));
+      return style::text(info().offeredAs).replace('#', QString::number(number));
     const auto& texts = info().choiceTitles.empty() ? info().choices : info().choiceTitles;
-    return style::text(texts[std::size_t(data)]);
+    return style::text(texts[std::size_t(number)]);
   }
 
   QComboBox* box_;

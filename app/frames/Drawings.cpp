@@ -1,0 +1,93 @@
+#include "app/frames/Drawings.h"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <map>
+
+#include "app/frames/TechniqueSet.h"
+#include "datasets/session/DepthReading.h"
+#include "datasets/session/PaneLabels.h"
+#include "datasets/session/SessionSettings.h"
+#include "datasets/session/file/SessionFileParameters.h"
+#include "datasets/session/file/SessionFileSettings.h"
+#include "filters/core/technique/Composition.h"
+
+namespace umbra {
+namespace {
+
+std::string labelOf(const Technique& technique, const std::string& differences) {
+  const std::string title(technique.info().title);
+  return differences.empty() ? title : title + " · " + differences;
+}
+
+// All that a pane may have of its own, by name.
+std::map<std::string, Json> valuesOf(const Drawing& drawing) {
+  std::map<std::string, Json> values;
+  FrameSettings frame = drawing.session.frame;
+  for (const Setting& setting : settingsOf(frame))
+    if (setting.info.pane)
+      values[std::string(setting.info.name)] = toJson(setting.info, setting.get());
+  const Technique& technique = *drawing.technique;
+  for (const ParameterView& parameter : technique.parameters())
+    values[std::string(technique.info().id) + "." + std::string(parameter.name)] =
+        toJson(parameter.get());
+  return values;
+}
+
+void addDifferences(std::vector<Drawing>& drawings) {
+  std::vector<std::map<std::string, Json>> values;
+  for (const Drawing& drawing : drawings) values.push_back(valuesOf(drawing));
+  for (std::size_t i = 0; i < drawings.size(); ++i)
+    for (const auto& [name, value] : values[i]) {
+      const auto differs = [&, &name = name, &value = value](const auto& others) {
+        const auto other = others.find(name);
+        return other != others.end() && other->second != value;
+      };
+      if (std::any_of(values.begin(), values.end(), differs)) drawings[i].differences[name] = value;
+    }
+}
+
+void addNames(std::vector<Drawing>& drawings) {
+  for (Drawing& drawing : drawings) {
+    const std::string_view id = drawing.technique->info().id;
+    const auto same = std::count_if(drawings.begin(), drawings.end(), [&](const Drawing& other) {
+      return other.technique->info().id == id;
+    });
+    drawing.name = std::string(id) + (same > 1 ? "-" + std::to_string(drawing.pane) : "");
+  }
+}
+
+}  // namespace
+
+std::vector<Drawing> drawingsOf(const Session& session,
+                                const std::vector<std::shared_ptr<Technique>>& techniques) {
+  std::vector<Drawing> drawings;
+  for (const auto& technique : techniques)
+    drawings.push_back({session, technique, std::string(technique->info().title), {}});
+  addNames(drawings);
+  return drawings;
+}
+
+std::vector<Drawing> drawingsOfPanes(const Session& session, const TechniqueCatalogue& catalogue) {
+  std::vector<Drawing> drawings;
+  const std::vector<std::string> labels = paneLabels(session, catalogue);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    Session pane = activated(session, i);
+    pane.frame = readSettingsOf(pane);
+    const std::string why =
+        whyImpossible(pane.frame, *techniqueOf(pane, catalogue, pane.technique));
+    const bool last = i + 1 == labels.size() && drawings.empty();
+    if (!why.empty() && pane.comparison.mode == ComparisonMode::Grid && !last) {
+      spdlog::warn("left out: {}", why);
+      continue;
+    }
+    const auto technique = makeTechniques(pane, catalogue, {{pane.technique}}).front();
+    drawings.push_back({pane, technique, labelOf(*technique, labels[i]), {}, i + 1});
+  }
+  addNames(drawings);
+  addDifferences(drawings);
+  return drawings;
+}
+
+}  // namespace umbra

@@ -1,0 +1,36 @@
+// Lists what a command draws or measures: techniques with the settings of one session, or the panes
+// of a session that compares, each with its own.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/output/Output.h"
+#include "datasets/session/Session.h"
+#include "filters/core/technique/Technique.h"
+
+namespace umbra {
+
+struct Drawing {
+  Session session;  // as it is while the pane is the active one
+  std::shared_ptr<Technique> technique;
+  std::string label;  // for people: "Variance (VSM) · radius 12"
+  // For files and parts: the technique's id, and the pane's number where another pane has the same
+  // technique: "vsm-3".
+  std::string name;
+  std::size_t pane = 0;  // counts from 1; 0 is no pane
+  // The pane's settings and parameters that differ from another pane's, by their names in
+  // `umbrascope settings` and as TECHNIQUE.PARAMETER.
+  Json differences = Json::object();
+};
+
+// One for each technique.
+std::vector<Drawing> drawingsOf(const Session& session,
+                                const std::vector<std::shared_ptr<Technique>>& techniques);
+// One for each pane that the session shows. Of panes beside each other, one with impossible
+// settings is left out, with a warning that says why. Throws BadCommandLine where no pane is left.
+std::vector<Drawing> drawingsOfPanes(const Session& session, const TechniqueCatalogue& catalogue);
+
+}  // namespace umbra
