@@ -3,6 +3,7 @@
 #include <QTest>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "datasets/maps/ExrFile.h"
 #include "tests/window/WindowFixture.h"
@@ -30,6 +31,9 @@ class Counted : public Technique {
   const TechniqueInfo& info() const override { return plain_->info(); }
   std::vector<Channel> channels() const override { return plain_->channels(); }
   std::vector<Parameter> parameters() override { return plain_->parameters(); }
+  std::vector<ParameterView> parameters() const override {
+    return std::as_const(*plain_).parameters();
+  }
   void encode(double z, std::span<double> channels) const override { plain_->encode(z, channels); }
   double visibility(const Fetch& fetch, double receiver) const override {
     return plain_->visibility(fetch, receiver);
