@@ -18,7 +18,7 @@ constexpr const char* toInstall = "install the Debian package sweethome3d-furnit
 
 struct Model {
   const char *name, *entry, *title, *description, *figure;
-  Stage stage;
+  ModelStage stage;
 };
 
 const std::array<Model, 6>& models() {

@@ -24,7 +24,7 @@ Eigen::AlignedBox3d boundsOf(const std::vector<SceneObject>& objects) {
 
 }  // namespace
 
-Scene stagedScene(std::vector<SceneObject> objects, const Stage& stage) {
+Scene stagedScene(std::vector<SceneObject> objects, const ModelStage& stage) {
   for (SceneObject& object : objects)
     object.mesh = scenes::transformed(object.mesh, scenes::turned(stage.turn));
   const Eigen::AlignedBox3d box = boundsOf(objects);

@@ -7,7 +7,7 @@
 
 namespace umbra {
 
-struct Stage {
+struct ModelStage {
   double size = 4.0;       // the model's longest side, world units
   double turn = 0.0;       // degrees that the model is turned about the vertical
   double viewFrom = 28.0;  // degrees that the camera stands to the right of +z
@@ -18,6 +18,6 @@ struct Stage {
 
 // Scales the objects, centres them over the origin with their lowest point on y = 0, and adds a
 // paved ground, a directional light and a camera whose view holds model and shadow.
-Scene stagedScene(std::vector<SceneObject> objects, const Stage& stage);
+Scene stagedScene(std::vector<SceneObject> objects, const ModelStage& stage);
 
 }  // namespace umbra

@@ -28,7 +28,7 @@ SceneEntry entryNamed(const std::string& name) {
   }
   for (const SceneInfo& model : installedModelInfos()) names.push_back(model.name);
   const std::string nearest = nearestWord(name, names);
-  refuse("there is no scene '" + name + "'" +
+  refuse("there is no scene '" + clipped(name) + "'" +
          (nearest.empty() ? "; there are " + joined(names) : "; did you mean '" + nearest + "'?"));
 }
 

@@ -92,7 +92,10 @@ void Prober::pin(const Pixel& pixel) {
   const bool onScene = controller_.document().content.scene != nullptr;
   if (onScene && !view_.surfaceAt(pixel)) return;  // the sky has no shadow to take apart
   settlePixel();
-  held_.reset();
+  // The pixel of the present report shows the point that is held: there is nothing new to read.
+  const bool here = report_ && report_->pinned && report_->inSight && report_->pixel == pixel &&
+                    answered_ == question();
+  if (!here) held_.reset();
   controller_.edit(tr("Pin probe"), [&](Session& session) {
     place(session, pixel);
     if (onScene) session.receiver.reset();

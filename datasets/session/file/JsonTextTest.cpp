@@ -57,7 +57,6 @@ TEST(JsonText, KeepsMessagesShort) {
         R"({"format": "umbrascope-session/1", "technique": ")" + longText + R"("})",
         R"({"format": "umbrascope-session/1", "frame": ")" + longText + R"("})",
         R"({"format": ")" + longText + R"("})",
-        R"({"format": "umbrascope-session/1", "source": {"scene": ")" + longText + R"("}})",
         R"({"format": "umbrascope-session/1", "parameters": {")" + longText + R"(": {}}})",
         R"({"format": "umbrascope-session/1", "parameters": {"vsm": {")" + longText + R"(": 1}}})",
         R"({"format": "umbrascope-session/1", "frame": {"view": ")" + longText + R"("}})"}) {
