@@ -235,7 +235,8 @@ TEST(SceneReads, FewerSamplesThanAskedForAreSaid) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   const std::size_t said = outcome.err.find("--msaa: ");
   if (said == std::string::npos) return;  // the driver has eight
-  EXPECT_NE(outcome.err.find("the driver does not offer 8", said), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("the driver does not offer 8", said), std::string::npos)
+      << outcome.err;
   EXPECT_EQ(outcome.err.find("--msaa: ", said + 1), std::string::npos) << outcome.err;
 }
 
