@@ -26,9 +26,9 @@ struct CompareCommand {
   explicit CompareCommand(OptionParser& command);
 
   void run() const;
-  void compareMap(Session session) const;
-  void compareScene(const Session& session) const;
-  std::vector<Drawing> drawings(const Session& session) const;
+  void compareMap(Workspace workspace) const;
+  void compareScene(const Workspace& workspace) const;
+  std::vector<Drawing> drawings(const Workspace& workspace) const;
   bool rayTraced() const;
   std::optional<SurfaceOptions> surfaceOptions() const;
 
@@ -81,10 +81,11 @@ CompareCommand::CompareCommand(OptionParser& command) {
 }
 
 // The panes of a session that compares, unless techniques are named.
-std::vector<Drawing> CompareCommand::drawings(const Session& session) const {
-  const bool named = !options.techniques(catalogue, {}).ids.empty();
-  if (!named && session.comparison.mode != ComparisonMode::Single)
-    return drawingsOfPanes(session, catalogue);
+std::vector<Drawing> CompareCommand::drawings(const Workspace& workspace) const {
+  if (!options.namesTechniques() && workspace.comparison.mode != ComparisonMode::Single)
+    return drawingsOfPanes(workspace, catalogue);
+  Session session = sessionOf(workspace);
+  session.frame = readSettingsOf(session);
   return drawingsOf(
       session,
       makeTechniques(session, catalogue, options.techniques(catalogue, everyTechnique(catalogue))));
@@ -107,14 +108,15 @@ void CompareCommand::run() const {
   if (json && folder)
     throw Error(ErrorKind::BadCommandLine, "--json: excludes -o, give one of them");
   if (folder) checkWritable(std::filesystem::path(*folder) / "compare.json");
-  const Session session = options.session(catalogue);
-  if (session.source.kind == SourceKind::DepthFile)
-    compareMap(session);
+  const Workspace workspace = options.workspace(catalogue);
+  if (workspace.shared.source.kind == SourceKind::DepthFile)
+    compareMap(workspace);
   else
-    compareScene(session);
+    compareScene(workspace);
 }
 
-void CompareCommand::compareMap(Session session) const {
+void CompareCommand::compareMap(Workspace workspace) const {
+  Session& session = workspace.shared;
   if (receiver) session.receiver = numberFrom(*receiver, "--receiver", {0.0, 1.0});
   if (!session.receiver)
     throw Error(ErrorKind::BadCommandLine, "--receiver: is missing, give --receiver Z");
@@ -129,8 +131,7 @@ void CompareCommand::compareMap(Session session) const {
     throw Error(ErrorKind::BadCommandLine,
                 "--surfaces: a depth map has none; give --scene NAME or a mesh file");
   if (!options.namesFormat() && !options.namesSession()) chooseFormatFor(session);
-  session.frame = readSettingsOf(session);
-  const std::vector<Drawing> chosen = drawings(session);
+  const std::vector<Drawing> chosen = drawings(workspace);
   const DepthMap map = loadDepthMap(session.source);
   std::vector<MetricsRow> rows;
   // Drawings with the same settings are measured together, in one walk over the map.
@@ -165,11 +166,12 @@ void CompareCommand::compareMap(Session session) const {
   files.finish();
 }
 
-void CompareCommand::compareScene(const Session& session) const {
+void CompareCommand::compareScene(const Workspace& workspace) const {
   if (receiver) throw Error(ErrorKind::BadCommandLine, "--receiver: only goes with --depth");
   const std::optional<SurfaceOptions> asked = surfaceOptions();
+  const Session session = sessionOf(workspace);
   checkGpuFormat(session);
-  const std::vector<Drawing> chosen = drawings(session);
+  const std::vector<Drawing> chosen = drawings(workspace);
   for (const Drawing& drawing : chosen) checkGpuFormat(drawing.session);
   const auto scene = std::make_shared<const Scene>(loadScene(session.source));
   const std::unique_ptr<Display> display = loadDisplay();

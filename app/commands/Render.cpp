@@ -21,8 +21,8 @@ struct RenderCommand {
   explicit RenderCommand(OptionParser& command);
 
   void run() const;
-  void renderPicture(const Session& session) const;
-  void renderLayers(const Session& session) const;
+  void renderPicture(const Workspace& workspace) const;
+  void renderLayers(const Workspace& workspace) const;
 
   SessionOptions options;
   std::optional<std::string> output;
@@ -30,12 +30,11 @@ struct RenderCommand {
   // As named on the command line, else `unnamed`.
   std::vector<std::shared_ptr<Technique>> techniques(const Session& session,
                                                      const TechniqueChoice& unnamed) const;
-  bool named() const { return !options.techniques(catalogue, {}).ids.empty(); }
   // Whether panes are drawn: techniques on the command line are compared instead.
-  bool compares(const Session& session) const {
-    return !named() && session.comparison.mode != ComparisonMode::Single;
+  bool compares(const Workspace& workspace) const {
+    return !options.namesTechniques() && workspace.comparison.mode != ComparisonMode::Single;
   }
-  std::vector<Drawing> drawings(const Session& session) const;
+  std::vector<Drawing> drawings(const Workspace& workspace) const;
 };
 
 // From `at` of the width (0 … 1) on, `left` becomes `right`.
@@ -64,9 +63,10 @@ std::vector<std::shared_ptr<Technique>> RenderCommand::techniques(
   return makeTechniques(session, catalogue, options.techniques(catalogue, unnamed));
 }
 
-std::vector<Drawing> RenderCommand::drawings(const Session& session) const {
-  if (!compares(session)) return drawingsOf(session, techniques(session, {{session.technique}}));
-  std::vector<Drawing> panes = drawingsOfPanes(session, catalogue);
+std::vector<Drawing> RenderCommand::drawings(const Workspace& workspace) const {
+  const Session session = sessionOf(workspace);
+  if (!compares(workspace)) return drawingsOf(session, techniques(session, {{session.technique}}));
+  std::vector<Drawing> panes = drawingsOfPanes(workspace, catalogue);
   for (const Drawing& pane : panes) checkGpuFormat(pane.session);
   return panes;
 }
@@ -79,17 +79,18 @@ void RenderCommand::run() const {
     throw Error(ErrorKind::BadCommandLine,
                 "--output: '" + *output + "' is not right, it takes FILE.png or FILE.exr");
   checkWritable(*output);
-  const Session session = options.session(catalogue);
-  checkGpuFormat(session);
+  const Workspace workspace = options.workspace(catalogue);
+  checkGpuFormat(sessionOf(workspace));
   if (extension == ".png")
-    renderPicture(session);
+    renderPicture(workspace);
   else
-    renderLayers(session);
+    renderLayers(workspace);
   announce(*output);
 }
 
-void RenderCommand::renderPicture(const Session& session) const {
-  const std::vector<Drawing> chosen = drawings(session);
+void RenderCommand::renderPicture(const Workspace& workspace) const {
+  const std::vector<Drawing> chosen = drawings(workspace);
+  const Session session = sessionOf(workspace);
   const auto scene = std::make_shared<const Scene>(loadScene(session.source));
   const std::unique_ptr<Display> display = loadDisplay();
   const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
@@ -100,16 +101,17 @@ void RenderCommand::renderPicture(const Session& session) const {
     frame->render(*drawing.technique, drawing.session.frame.view);
     pictures.push_back({drawing.label, frame->colour()});
   }
-  if (compares(session) && session.comparison.mode == ComparisonMode::Wipe) {
-    wipe(pictures.front().colour, pictures.back().colour, session.comparison.wipe);
+  if (compares(workspace) && workspace.comparison.mode == ComparisonMode::Wipe) {
+    wipe(pictures.front().colour, pictures.back().colour, workspace.comparison.wipe);
     pictures.pop_back();
   }
   throwIfCancelled();
   display->writePictures(pictures, *output);
 }
 
-void RenderCommand::renderLayers(const Session& session) const {
-  const std::vector<Drawing> chosen = drawings(session);
+void RenderCommand::renderLayers(const Workspace& workspace) const {
+  const std::vector<Drawing> chosen = drawings(workspace);
+  const Session session = sessionOf(workspace);
   const auto scene = std::make_shared<const Scene>(loadScene(session.source));
   const std::unique_ptr<Display> display = loadDisplay();
   const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "analysis/plots/Plot.h"
-#include "datasets/session/Session.h"
+#include "datasets/session/Workspace.h"
 #include "filters/core/scene/FieldMesh.h"
 #include "filters/gpu/ShadowRenderer.h"
 
@@ -49,7 +49,7 @@ class Display {
   virtual ~Display() = default;
 
   // Returns the exit status of the window. Needs an X or Wayland display.
-  virtual int runWindow(int& argc, char** argv, const Session& session) = 0;
+  virtual int runWindow(int& argc, char** argv, const Workspace& workspace) = 0;
 
   // A new context that shows `scene` as the session sees it. Throws NoOpenGL.
   virtual std::unique_ptr<HeadlessFrame> makeFrame(std::shared_ptr<const Scene> scene,

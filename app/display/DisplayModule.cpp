@@ -18,8 +18,8 @@ namespace {
 
 class QtVtkDisplay final : public Display {
  public:
-  int runWindow(int& argc, char** argv, const Session& session) override {
-    return umbra::runWindow(argc, argv, session);
+  int runWindow(int& argc, char** argv, const Workspace& workspace) override {
+    return umbra::runWindow(argc, argv, workspace);
   }
 
   std::unique_ptr<HeadlessFrame> makeFrame(std::shared_ptr<const Scene> scene,

@@ -69,16 +69,17 @@ std::vector<Drawing> drawingsOf(const Session& session,
   return drawings;
 }
 
-std::vector<Drawing> drawingsOfPanes(const Session& session, const TechniqueCatalogue& catalogue) {
+std::vector<Drawing> drawingsOfPanes(const Workspace& workspace,
+                                     const TechniqueCatalogue& catalogue) {
   std::vector<Drawing> drawings;
-  const std::vector<std::string> labels = paneLabels(session, catalogue);
+  const std::vector<std::string> labels = paneLabels(workspace, catalogue);
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    Session pane = activated(session, i);
+    Session pane = sessionOfPane(workspace, i);
     pane.frame = readSettingsOf(pane);
     const std::string why =
         whyImpossible(pane.frame, *techniqueOf(pane, catalogue, pane.technique));
     const bool last = i + 1 == labels.size() && drawings.empty();
-    if (!why.empty() && pane.comparison.mode == ComparisonMode::Grid && !last) {
+    if (!why.empty() && workspace.comparison.mode == ComparisonMode::Grid && !last) {
       spdlog::warn("left out: {}", why);
       continue;
     }

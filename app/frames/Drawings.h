@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "app/output/Output.h"
-#include "datasets/session/Session.h"
+#include "datasets/session/Workspace.h"
 #include "filters/core/technique/Technique.h"
 
 namespace umbra {
 
 struct Drawing {
-  Session session;  // as it is while the pane is the active one
+  Session session;  // what the pane shows
   std::shared_ptr<Technique> technique;
   std::string label;  // for people: "Variance (VSM) · radius 12"
   // For files and parts: the technique's id, and the pane's number where another pane has the same
@@ -29,8 +29,9 @@ struct Drawing {
 // One for each technique.
 std::vector<Drawing> drawingsOf(const Session& session,
                                 const std::vector<std::shared_ptr<Technique>>& techniques);
-// One for each pane that the session shows. Of panes beside each other, one with impossible
+// One for each pane that the workspace shows. Of panes beside each other, one with impossible
 // settings is left out, with a warning that says why. Throws BadCommandLine where no pane is left.
-std::vector<Drawing> drawingsOfPanes(const Session& session, const TechniqueCatalogue& catalogue);
+std::vector<Drawing> drawingsOfPanes(const Workspace& workspace,
+                                     const TechniqueCatalogue& catalogue);
 
 }  // namespace umbra

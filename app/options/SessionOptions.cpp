@@ -7,6 +7,7 @@
 #include "app/options/OptionValues.h"
 #include "app/options/SceneSources.h"
 #include "datasets/maps/DepthFile.h"
+#include "datasets/session/PaneChoice.h"
 #include "datasets/session/SessionSettings.h"
 #include "datasets/session/file/SessionFile.h"
 #include "filters/core/support/Error.h"
@@ -98,17 +99,24 @@ bool SessionOptions::namesFormat() const {
   });
 }
 
-Session SessionOptions::session(const TechniqueCatalogue& catalogue) const {
-  Session start;
+Workspace SessionOptions::workspace(const TechniqueCatalogue& catalogue) const {
+  Workspace start;
   if (session_) refuseEmpty(*session_, "--session", "FILE.json");
-  if (session_) start = readSession(*session_);
+  if (session_) start = readWorkspace(*session_);
   return over(std::move(start), catalogue);
 }
 
-Session SessionOptions::over(Session base, const TechniqueCatalogue& catalogue) const {
-  editSource(base);
-  editTechniques(base, catalogue);
-  editView(base);
+Session SessionOptions::session(const TechniqueCatalogue& catalogue) const {
+  return sessionOf(workspace(catalogue));
+}
+
+Workspace SessionOptions::over(Workspace base, const TechniqueCatalogue& catalogue) const {
+  editSource(base.shared);
+  editTechnique(base, catalogue);
+  editSession(base, [&](Session& active) {
+    editParameters(active, catalogue);
+    editView(active);
+  });
   return base;
 }
 
@@ -169,10 +177,14 @@ TechniqueChoice SessionOptions::techniques(const TechniqueCatalogue& catalogue,
   return all ? everyTechnique(catalogue) : TechniqueChoice{ids, false};
 }
 
-void SessionOptions::editTechniques(Session& session, const TechniqueCatalogue& catalogue) const {
+void SessionOptions::editTechnique(Workspace& workspace,
+                                   const TechniqueCatalogue& catalogue) const {
   // One of all is no choice: the session's own stays the one to look at.
-  const TechniqueChoice choice = techniques(catalogue, {{session.technique}});
-  if (!choice.all) chooseTechnique(session, choice.ids.front());
+  const TechniqueChoice choice = techniques(catalogue, {{workspace.shared.technique}});
+  if (!choice.all) chooseTechnique(workspace, choice.ids.front());
+}
+
+void SessionOptions::editParameters(Session& session, const TechniqueCatalogue& catalogue) const {
   for (const std::string& setting : settings_) {
     const auto [name, text] = assignmentFrom(setting, "--set");
     const std::size_t dot = name.find('.');
@@ -182,7 +194,7 @@ void SessionOptions::editTechniques(Session& session, const TechniqueCatalogue& 
     const std::string id = name.substr(0, dot), parameter = name.substr(dot + 1);
     try {
       catalogue.make(id, "--set " + name);
-      editParameters(session, catalogue, id, [&](std::span<const Parameter> parameters) {
+      umbra::editParameters(session, catalogue, id, [&](std::span<const Parameter> parameters) {
         parameterNamed(parameters, parameter, "--set " + name).setFromText(text, "--set " + name);
       });
     } catch (const Error& error) {

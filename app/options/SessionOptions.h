@@ -1,4 +1,4 @@
-// The options that mean the same for every command. They edit a Session and nothing else.
+// The options that mean the same for every command. They edit a Workspace and nothing else.
 #pragma once
 
 #include <deque>
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/options/OptionParser.h"
-#include "datasets/session/Session.h"
+#include "datasets/session/Workspace.h"
 #include "filters/core/settings/Setting.h"
 
 namespace umbra {
@@ -30,15 +30,18 @@ class SessionOptions {
   // Adds the options to `command`; the object must outlive the parsing.
   void addTo(OptionParser& command);
 
-  // The session that the options describe, checked: the one of --session or the default, with the
-  // options laid over it. Throws BadCommandLine (option), BadInput (session file, scene).
-  Session session(const TechniqueCatalogue& catalogue) const;
+  // What the options describe, checked: the workspace of --session or the default, with the options
+  // laid over its active pane. Throws BadCommandLine (option), BadInput (session file, scene).
+  Workspace workspace(const TechniqueCatalogue& catalogue) const;
   // The same with another base, such as the scene or file that a positional argument names.
-  Session over(Session base, const TechniqueCatalogue& catalogue) const;
+  Workspace over(Workspace base, const TechniqueCatalogue& catalogue) const;
+  // What the active pane of that workspace shows.
+  Session session(const TechniqueCatalogue& catalogue) const;
 
   // The ids of --technique in the order given, each once. `fallback` where the option is absent.
   TechniqueChoice techniques(const TechniqueCatalogue& catalogue,
                              const TechniqueChoice& fallback) const;
+  bool namesTechniques() const { return techniques_.has_value(); }
   bool namesSource() const { return scene_ || depth_; }
   bool namesSession() const { return session_.has_value(); }
   bool namesFormat() const;
@@ -59,7 +62,8 @@ class SessionOptions {
   void addSettings(OptionParser& command, std::string_view group);
 
   void editSource(Session& session) const;
-  void editTechniques(Session& session, const TechniqueCatalogue& catalogue) const;
+  void editTechnique(Workspace& workspace, const TechniqueCatalogue& catalogue) const;
+  void editParameters(Session& session, const TechniqueCatalogue& catalogue) const;
   void editView(Session& session) const;
   // Sets what the tables' options say. `light` and `camera` are the scene's.
   void editSettings(Session& session, const Light& light, const Camera& camera) const;

@@ -18,7 +18,7 @@ void addAll(ChannelFile& file, const Technique& technique, const Image<T>& chann
 
 ChannelFile::ChannelFile(const Session& session)
     : attributes_{{"umbrascope.version", UMBRA_VERSION},
-                  {"umbrascope.session", toJson(session).dump()}} {
+                  {"umbrascope.session", toJson(Workspace{session}).dump()}} {
   Session copy = session;
   for (const Setting& setting : settingsOf(copy)) {
     const bool isLight = setting.info.name.starts_with("light.");

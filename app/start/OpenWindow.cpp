@@ -54,43 +54,44 @@ void OpenWindow::checkArgument() const {
                        : "did you mean '" + nearest + "'?"));
 }
 
-Session OpenWindow::opened() const {
+Workspace OpenWindow::opened() const {
   const TechniqueCatalogue catalogue = allTechniques();
   const bool asked = options_.namesFormat() || options_.namesSession();
   if (!argument_) {
-    Session session = options_.session(catalogue);
-    if (!asked) chooseFormatFor(session);
-    return session;
+    Workspace workspace = options_.workspace(catalogue);
+    if (!asked) chooseFormatFor(workspace.shared);
+    return workspace;
   }
   checkArgument();
   if (options_.namesSource())
     throw Error(ErrorKind::BadCommandLine,
                 *argument_ + ": excludes --scene and --depth, give one of them");
-  Session session;
+  Workspace workspace;
+  SceneSource& source = workspace.shared.source;
   const auto [file, channel] = splitDepthArgument(*argument_);
   if (isScene(*argument_)) {
-    session.source.name = *argument_;
+    source.name = *argument_;
   } else if (file.extension() == ".json") {
-    session = readSession(file);
+    workspace = readWorkspace(file);
   } else if (file.extension() == ".exr") {
-    session.source = {};
-    session.source.kind = SourceKind::DepthFile;
-    session.source.name = file.string();
-    session.source.channel = channel;
-    chooseFormatFor(session);
+    source = {};
+    source.kind = SourceKind::DepthFile;
+    source.name = file.string();
+    source.channel = channel;
+    chooseFormatFor(workspace.shared);
   } else {
-    session.source = sceneSourceFrom(*argument_, *argument_);
+    source = sceneSourceFrom(*argument_, *argument_);
   }
-  return options_.over(session, catalogue);
+  return options_.over(std::move(workspace), catalogue);
 }
 
 int OpenWindow::run(int& argc, char** argv) const {
-  const Session session = opened();
+  const Workspace workspace = opened();
   if (const std::string obstacle = windowObstacle(); !obstacle.empty())
     throw Error(ErrorKind::NoOpenGL, "no display (" + obstacle +
                                          "): the window cannot open; `umbrascope render -o "
                                          "picture.png` draws without one");
-  return loadDisplay()->runWindow(argc, argv, session);
+  return loadDisplay()->runWindow(argc, argv, workspace);
 }
 
 }  // namespace umbra

@@ -21,7 +21,7 @@ class OpenWindow {
   int run(int& argc, char** argv) const;
 
  private:
-  Session opened() const;
+  Workspace opened() const;
 
   OptionParser& program_;
   std::optional<std::string> argument_;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "datasets/session/Session.h"
+#include "datasets/session/Workspace.h"
 #include "filters/core/support/Quantity.h"
 
 namespace umbra {
@@ -44,9 +44,10 @@ struct LessonQuestion {
 
 struct LessonStep {
   std::string title;
-  std::string text;  // Markdown: paragraphs, lists, formulas indented by four spaces
-  std::string look;  // Markdown: what to look at
-  Session session;   // has a probe and shows a scene
+  std::string text;     // Markdown: paragraphs, lists, formulas indented by four spaces
+  std::string look;     // Markdown: what to look at
+  Workspace workspace;  // what the window opens
+  Session session;      // what its active pane shows; has a probe and shows a scene
   std::optional<LessonQuestion> question;
   std::vector<LessonClaim> claims;
 };

@@ -101,15 +101,13 @@ LessonClaim claimOf(JsonObject& object, const Place& place) {
   return claim;
 }
 
-Session sessionOf(const Json& json, const std::string& where) {
-  Session session = sessionFrom(json, where);
+void checkSession(const Session& session, const std::string& where) {
   if (session.source.kind == SourceKind::DepthFile)
     refuse(where, ".source: a lesson's step shows a scene, not a depth map");
   if (!session.probe) refuse(where, ": needs a 'probe', the pixel that the step is about");
   if (session.probe->x >= session.width || session.probe->y >= session.height)
     refuse(where, ".probe: is outside the picture of " + std::to_string(session.width) + " x " +
                       std::to_string(session.height) + " pixels");
-  return session;
 }
 
 LessonStep stepOf(const Json& json, const std::string& where, std::size_t index,
@@ -122,7 +120,9 @@ LessonStep stepOf(const Json& json, const std::string& where, std::size_t index,
   require(step.text, object, "text");
   object.readLines("look", step.look);
   if (!json.contains("session")) refuse(where, ": needs a 'session'");
-  step.session = sessionOf(json.at("session"), where + ".session");
+  step.workspace = workspaceFrom(json.at("session"), where + ".session");
+  step.session = sessionOf(step.workspace);
+  checkSession(step.session, where + ".session");
   const Place place{step.session, index, count};
   object.readObject("question",
                     [&](JsonObject& question) { step.question = questionOf(question, place); });
@@ -180,10 +180,12 @@ Lesson lessonFromText(std::string_view text, std::string_view where) {
 
 Lesson readLesson(const fs::path& file) {
   Lesson lesson = lessonFromText(textOf(file), file.string());
-  for (LessonStep& step : lesson.steps)
-    if (step.session.source.kind == SourceKind::MeshFile)
-      step.session.source.name =
-          (fs::absolute(file).parent_path() / step.session.source.name).lexically_normal().string();
+  for (LessonStep& step : lesson.steps) {
+    SceneSource& source = step.workspace.shared.source;
+    if (source.kind == SourceKind::MeshFile)
+      source.name = (fs::absolute(file).parent_path() / source.name).lexically_normal().string();
+    step.session.source = source;
+  }
   return lesson;
 }
 

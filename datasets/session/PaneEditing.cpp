@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "datasets/session/PaneChoice.h"
 #include "datasets/session/SessionSettings.h"
 
 namespace umbra {
@@ -32,17 +33,6 @@ void giveUp(PaneSettings& own, PaneSetting which) {
     own.values.erase(std::string(setting.info.name));
 }
 
-// While `change` is at work, the session is what the panes share and own settings are in every
-// pane.
-template <class Change>
-void whileShared(Session& session, Change change) {
-  session.comparison = comparisonOf(session);
-  exchangeActive(session);
-  change(session.comparison.panes);
-  session.technique = session.comparison.panes[session.comparison.active].technique;
-  exchangeActive(session);
-}
-
 Pane detached(const Session& shown) {
   Pane pane{shown.technique, {}};
   for (const PaneSetting which : paneSettings) takeOver(pane.own, which, shown, shown.technique);
@@ -59,7 +49,6 @@ void leaveSet(std::vector<Pane>& panes, std::size_t& pane) {
   }
 }
 
-// To be done while the settings are shared.
 void insertBeside(Comparison& comparison, std::size_t pane, Pane copy) {
   std::vector<Pane>& panes = comparison.panes;
   if (comparison.mode == ComparisonMode::Single) {
@@ -87,52 +76,49 @@ bool hasOwn(const Pane& pane, PaneSetting which) {
   });
 }
 
-void setOwn(Session& session, std::size_t pane, PaneSetting which, bool own) {
-  whileShared(session, [&](std::vector<Pane>& panes) {
-    Pane& changed = panes[pane];
-    if (own == hasOwn(changed, which)) return;
-    if (own)
-      takeOver(changed.own, which, session, changed.technique);
-    else
-      giveUp(changed.own, which);
-  });
+void setOwn(Workspace& workspace, std::size_t pane, PaneSetting which, bool own) {
+  workspace.comparison = comparisonOf(workspace);
+  Pane& changed = workspace.comparison.panes[pane];
+  if (own == hasOwn(changed, which)) return;
+  if (own)
+    takeOver(changed.own, which, workspace.shared, changed.technique);
+  else
+    giveUp(changed.own, which);
 }
 
-void setLinked(Session& session, std::size_t pane, bool linked) {
-  for (const PaneSetting which : paneSettings) setOwn(session, pane, which, !linked);
+void setLinked(Workspace& workspace, std::size_t pane, bool linked) {
+  for (const PaneSetting which : paneSettings) setOwn(workspace, pane, which, !linked);
 }
 
-void duplicatePane(Session& session, std::size_t pane) {
-  Pane copy = detached(activated(session, pane));
-  whileShared(session,
-              [&](std::vector<Pane>&) { insertBeside(session.comparison, pane, std::move(copy)); });
+void duplicatePane(Workspace& workspace, std::size_t pane) {
+  Pane copy = detached(sessionOfPane(workspace, pane));
+  workspace.comparison = comparisonOf(workspace);
+  workspace.shared.technique = copy.technique;
+  insertBeside(workspace.comparison, pane, std::move(copy));
 }
 
-void copyActiveSettings(Session& session, std::size_t pane) {
-  const Session shown = session;
-  whileShared(session, [&](std::vector<Pane>& panes) {
-    const Pane& active = panes[session.comparison.active];
-    Pane& changed = panes[pane];
-    for (const PaneSetting which : paneSettings) {
-      const bool parameters = which == PaneSetting::Parameters;
-      if (parameters && changed.technique != active.technique) continue;
-      if (hasOwn(changed, which) || hasOwn(active, which))
-        takeOver(changed.own, which, shown, changed.technique);
-    }
-  });
+void copyActiveSettings(Workspace& workspace, std::size_t pane) {
+  const Session shown = sessionOf(workspace);
+  workspace.comparison = comparisonOf(workspace);
+  const Pane active = workspace.comparison.panes[workspace.comparison.active];
+  Pane& changed = workspace.comparison.panes[pane];
+  for (const PaneSetting which : paneSettings) {
+    const bool parameters = which == PaneSetting::Parameters;
+    if (parameters && changed.technique != active.technique) continue;
+    if (hasOwn(changed, which) || hasOwn(active, which))
+      takeOver(changed.own, which, shown, changed.technique);
+  }
 }
 
-void closePane(Session& session, std::size_t pane) {
-  session.comparison = comparisonOf(session);
+void closePane(Workspace& workspace, std::size_t pane) {
+  workspace.comparison = comparisonOf(workspace);
   const std::size_t beside = pane == 0 ? 1 : pane - 1;
-  if (session.comparison.active == pane) activatePane(session, beside);
-  Comparison& comparison = session.comparison;
-  if (comparison.mode == ComparisonMode::Wipe) setMode(session, ComparisonMode::Single);
+  if (workspace.comparison.active == pane) activatePane(workspace, beside);
+  Comparison& comparison = workspace.comparison;
+  if (comparison.mode == ComparisonMode::Wipe) setMode(workspace, ComparisonMode::Single);
   if (comparison.panes.size() <= Comparison::fewest) {
-    // What the other one is drawn with, is the session's.
-    const double wipe = comparison.wipe;
-    comparison = Comparison{};
-    comparison.wipe = wipe;
+    // What the other one shows is all that is left to share.
+    workspace = {sessionOf(workspace), {.wipe = comparison.wipe}};
     return;
   }
   comparison.panes.erase(comparison.panes.begin() + std::ptrdiff_t(pane));

@@ -1,26 +1,26 @@
 // What one does to a single pane of a comparison, numbered as in comparisonOf().
 #pragma once
 
-#include "datasets/session/Session.h"
+#include "datasets/session/Workspace.h"
 
 namespace umbra {
 
 bool hasOwn(const Pane& pane, PaneSetting setting);
 // A setting becomes the pane's own as it is; one that is its own no longer becomes what the other
 // panes share.
-void setOwn(Session& session, std::size_t pane, PaneSetting setting, bool own);
-void setLinked(Session& session, std::size_t pane, bool linked);  // every setting
+void setOwn(Workspace& workspace, std::size_t pane, PaneSetting setting, bool own);
+void setLinked(Workspace& workspace, std::size_t pane, bool linked);  // every setting
 
 // A pane beside it with the same technique and settings, all of them its own; it becomes the active
 // one. Of one picture, two panes, beside those with settings of their own that were there when it
 // was the only one; in a wipe, the other side. Where there are `most` panes already,
 // the last of the others makes room.
-void duplicatePane(Session& session, std::size_t pane);
+void duplicatePane(Workspace& workspace, std::size_t pane);
 // Settings as the active pane has them, its parameters where both have the same technique. What the
 // pane shared and can share still, it goes on sharing.
-void copyActiveSettings(Session& session, std::size_t pane);
+void copyActiveSettings(Workspace& workspace, std::size_t pane);
 // Of two panes that are to be seen, the other one is left as a single picture. Panes behind a wipe
 // stay for the next comparison.
-void closePane(Session& session, std::size_t pane);
+void closePane(Workspace& workspace, std::size_t pane);
 
 }  // namespace umbra

@@ -102,11 +102,12 @@ void addParameters(std::vector<std::string>& labels, const std::vector<Session>&
 
 }  // namespace
 
-std::vector<std::string> paneLabels(const Session& session, const TechniqueCatalogue& catalogue) {
+std::vector<std::string> paneLabels(const Workspace& workspace,
+                                    const TechniqueCatalogue& catalogue) {
   std::vector<Session> panes;
   std::vector<std::size_t> all;
-  for (std::size_t i = 0; i < shownPanes(comparisonOf(session)); ++i) {
-    panes.push_back(activated(session, i));
+  for (std::size_t i = 0; i < shownPanes(comparisonOf(workspace)); ++i) {
+    panes.push_back(sessionOfPane(workspace, i));
     all.push_back(i);
   }
   std::vector<std::string> labels(panes.size());

@@ -9,12 +9,12 @@ namespace {
 
 using Labels = std::vector<std::string>;
 
-Session grid(const std::vector<std::string>& techniques) {
-  Session session;
-  session.technique = techniques.front();
-  session.comparison.mode = ComparisonMode::Grid;
-  session.comparison.panes = linkedPanes(techniques);
-  return session;
+Workspace grid(const std::vector<std::string>& techniques) {
+  Workspace workspace;
+  workspace.shared.technique = techniques.front();
+  workspace.comparison.mode = ComparisonMode::Grid;
+  workspace.comparison.panes = linkedPanes(techniques);
+  return workspace;
 }
 
 TEST(PaneLabels, PanesThatShareEverythingAreToldByTheirTechniques) {
@@ -22,59 +22,64 @@ TEST(PaneLabels, PanesThatShareEverythingAreToldByTheirTechniques) {
 }
 
 TEST(PaneLabels, OfTwoPanesBothSayWhatDiffers) {
-  Session session = grid({"vsm", "msm"});
-  closePane(session, 1);
-  duplicatePane(session, 0);
-  session.frame.kernel.radius = 12;
-  EXPECT_EQ(paneLabels(session, allTechniques()), (Labels{"radius 3", "radius 12"}));
+  Workspace workspace = grid({"vsm", "msm"});
+  closePane(workspace, 1);
+  duplicatePane(workspace, 0);
+  editSession(workspace, [](Session& active) { active.frame.kernel.radius = 12; });
+  EXPECT_EQ(paneLabels(workspace, allTechniques()), (Labels{"radius 3", "radius 12"}));
 }
 
 TEST(PaneLabels, WhatAFormatLimitsIsNoOtherParameter) {
-  Session session = grid({"msm", "vsm"});
-  duplicatePane(session, 0);
-  session.frame.map.format = StorageFormat::Half;
-  EXPECT_EQ(paneLabels(session, allTechniques()), (Labels{"", "half", ""}));
+  Workspace workspace = grid({"msm", "vsm"});
+  duplicatePane(workspace, 0);
+  editSession(workspace, [](Session& active) { active.frame.map.format = StorageFormat::Half; });
+  EXPECT_EQ(paneLabels(workspace, allTechniques()), (Labels{"", "half", ""}));
 }
 
 TEST(PaneLabels, SayWhereAPaneIsNotAsMostAre) {
-  Session session = grid({"vsm", "msm"});
-  duplicatePane(session, 0);
-  EXPECT_EQ(paneLabels(session, allTechniques()), (Labels{"", "", ""}));
-  session.frame.kernel.radius = 12;
-  session.frame.map.format = StorageFormat::Half;
-  EXPECT_EQ(paneLabels(session, allTechniques()), (Labels{"", "radius 12 · half", ""}));
-  session.frame.kernel.shape = KernelShape::None;
-  EXPECT_EQ(paneLabels(session, allTechniques())[1], "no prefilter · half");
+  Workspace workspace = grid({"vsm", "msm"});
+  duplicatePane(workspace, 0);
+  EXPECT_EQ(paneLabels(workspace, allTechniques()), (Labels{"", "", ""}));
+  editSession(workspace, [](Session& active) { active.frame.kernel.radius = 12; });
+  editSession(workspace, [](Session& active) { active.frame.map.format = StorageFormat::Half; });
+  EXPECT_EQ(paneLabels(workspace, allTechniques()), (Labels{"", "radius 12 · half", ""}));
+  editSession(workspace, [](Session& active) { active.frame.kernel.shape = KernelShape::None; });
+  EXPECT_EQ(paneLabels(workspace, allTechniques())[1], "no prefilter · half");
 }
 
 TEST(PaneLabels, ParametersAreComparedWithinATechnique) {
-  Session session = grid({"vsm", "lvsm"});
-  duplicatePane(session, 0);
-  setParameters(session, "vsm", {{"bleed-reduction", 0.3}});
-  EXPECT_EQ(paneLabels(session, allTechniques()),
+  Workspace workspace = grid({"vsm", "lvsm"});
+  duplicatePane(workspace, 0);
+  editSession(workspace, [](Session& active) {
+    setParameters(active, "vsm", {{"bleed-reduction", 0.3}});
+  });
+  EXPECT_EQ(paneLabels(workspace, allTechniques()),
             (Labels{"bleed reduction 0", "bleed reduction 0.3", ""}));
 }
 
 TEST(PaneLabels, WhatAReadDoesNotUseIsNoDifference) {
-  Session session = grid({"vsm", "msm"});
-  duplicatePane(session, 0);
-  session.frame.read.anisotropy = 4;
-  session.frame.kernel.sigma = 2.0;
-  EXPECT_EQ(paneLabels(session, allTechniques()), (Labels{"", "", ""}));
-  session.frame.read.filter = ReadFilter::SummedArea;
-  EXPECT_EQ(paneLabels(session, allTechniques()), (Labels{"", "summed area", ""}));
-  duplicatePane(session, 1);
-  session.frame.read.satPrecision = SatPrecision::Plain;
-  EXPECT_EQ(paneLabels(session, allTechniques()), (Labels{"bilinear", "summed area · centred sums",
-                                                          "summed area · plain sums", "bilinear"}));
+  Workspace workspace = grid({"vsm", "msm"});
+  duplicatePane(workspace, 0);
+  editSession(workspace, [](Session& active) { active.frame.read.anisotropy = 4; });
+  editSession(workspace, [](Session& active) { active.frame.kernel.sigma = 2.0; });
+  EXPECT_EQ(paneLabels(workspace, allTechniques()), (Labels{"", "", ""}));
+  editSession(workspace,
+              [](Session& active) { active.frame.read.filter = ReadFilter::SummedArea; });
+  EXPECT_EQ(paneLabels(workspace, allTechniques()), (Labels{"", "summed area", ""}));
+  duplicatePane(workspace, 1);
+  editSession(workspace,
+              [](Session& active) { active.frame.read.satPrecision = SatPrecision::Plain; });
+  EXPECT_EQ(
+      paneLabels(workspace, allTechniques()),
+      (Labels{"bilinear", "summed area · centred sums", "summed area · plain sums", "bilinear"}));
 }
 
 TEST(PaneLabels, OfAWipeAreItsTwoSides) {
-  Session session = grid({"vsm", "msm"});
-  session.comparison.mode = ComparisonMode::Wipe;
-  duplicatePane(session, 0);
-  session.frame.map.size = 512;
-  EXPECT_EQ(paneLabels(session, allTechniques()), (Labels{"map 1024", "map 512"}));
+  Workspace workspace = grid({"vsm", "msm"});
+  workspace.comparison.mode = ComparisonMode::Wipe;
+  duplicatePane(workspace, 0);
+  editSession(workspace, [](Session& active) { active.frame.map.size = 512; });
+  EXPECT_EQ(paneLabels(workspace, allTechniques()), (Labels{"map 1024", "map 512"}));
 }
 
 }  // namespace

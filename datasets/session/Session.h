@@ -1,5 +1,6 @@
-// Everything that a person can set, as one plain value. The window, the command line and the
-// session file all edit it; the same session gives the same picture in the window and without one.
+// What one picture is drawn with, as one plain value. The window, the command line and the session
+// file all edit it; the same session gives the same picture in the window and without one. What
+// stands beside the picture to compare it is in the workspace.
 #pragma once
 
 #include <functional>
@@ -11,7 +12,6 @@
 #include <string_view>
 #include <vector>
 
-#include "datasets/session/Comparison.h"
 #include "datasets/session/NamedProbe.h"
 #include "filters/core/scene/Light.h"
 #include "filters/core/scene/Scene.h"
@@ -33,6 +33,8 @@ struct SceneSource {
   bool operator==(const SceneSource&) const = default;
 };
 
+// Values that differ from the defaults, by parameter.
+using ParameterValues = std::map<std::string, ParameterValue>;
 // By technique.
 using TechniqueParameters = std::map<std::string, ParameterValues>;
 
@@ -45,7 +47,6 @@ struct Session {
   FrameSettings frame;
   std::string technique = "vsm";
   TechniqueParameters parameters;
-  Comparison comparison;
   int width = 1280, height = 720;  // of a rendered picture, pixels
   std::optional<Pixel> probe;
   std::optional<double> receiver;  // probe on a depth file: z_r; in the window, one dragged by hand

@@ -38,7 +38,7 @@ void ComparisonTest::aWipeIsDragged() {
   settlePanes();
   WipeHandle& wipe = window.centre().comparison().wipe();
   QVERIFY(wipe.isVisible());
-  const auto position = [&] { return window.controller().session().comparison.wipe; };
+  const auto position = [&] { return window.controller().workspace().comparison.wipe; };
   const auto middle = [&] { return double(wipe.geometry().center().x()) / window.view().width(); };
   const double pixel = 1.0 / window.view().width();
   QVERIFY(std::abs(middle() - 0.5) <= pixel);
@@ -151,9 +151,9 @@ void ComparisonTest::aClickedPaneIsTheSessions() {
 }
 
 void ComparisonTest::whatAPaneCannotShowIsSaidThere() {
-  Session session = comparing(ComparisonMode::Grid, {"vsm", "power-cdf"});
-  session.frame.read.filter = ReadFilter::SummedArea;
-  MainWindow& window = open(session);
+  Workspace workspace = comparing(ComparisonMode::Grid, {"vsm", "power-cdf"});
+  workspace.shared.frame.read.filter = ReadFilter::SummedArea;
+  MainWindow& window = open(workspace);
   settlePanes();
   ComparisonPanes& panes = window.centre().comparison();
   QVERIFY(window.controller().refusals().contains("power-cdf"));
@@ -166,9 +166,9 @@ void ComparisonTest::whatAPaneCannotShowIsSaidThere() {
   QVERIFY(box->model()->index(box->findData("msm"), 0).flags() & Qt::ItemIsEnabled);
   // A pane with another read is refused no technique, and the other panes are refused none because
   // of it.
-  window.controller().edit("Read otherwise", [](Session& s) {
-    setOwn(s, 1, PaneSetting::Read, true);
-    s.comparison.panes[1].own.values["read.filter"] = std::string("bilinear");
+  window.controller().editPanes("Read otherwise", [](Workspace& w) {
+    setOwn(w, 1, PaneSetting::Read, true);
+    w.comparison.panes[1].own.values["read.filter"] = std::string("bilinear");
   });
   settlePanes();
   QVERIFY(!panes.picture(1).picture().isNull());
@@ -193,7 +193,7 @@ void ComparisonTest::aDepthFileTakesThePlaceOfPanes() {
   session.frame.kernel.radius = 8;
   session.probe = Pixel{12, 8};
   const QString saved = folder_.filePath("beside-panes.json");
-  writeSession(session, saved.toStdString());
+  writeWorkspace({session}, saved.toStdString());
   window.openFile(saved.toStdString());
   QTRY_VERIFY_WITH_TIMEOUT(window.controller().document().content.depth != nullptr, patience);
   QVERIFY(window.centre().depthView().isVisible());

@@ -175,7 +175,7 @@ void FilesTest::aRestartBringsSessionAndLayoutBack() {
   first.docks()[1]->hide();
   settle();
   rememberWindow(first);
-  const Session saved = first.sessionToSave();
+  const Workspace saved = first.sessionToSave();
   const QSize size = first.size();
   window_.reset();
 

@@ -174,7 +174,7 @@ void KeptProbesTest::keptProbesAreSavedAndOpenedAgain() {
   MainWindow& window = open();
   key(Qt::Key_K);
   settleKept();
-  const Session saved = window.sessionToSave();
+  const Workspace saved = window.sessionToSave();
   const double error = errorAt(window, 0, "vsm");
   const QString file = folder_.filePath("kept.json");
   window.saveSession(file.toStdString());
@@ -191,14 +191,14 @@ void KeptProbesTest::keptProbesAreSavedAndOpenedAgain() {
   settle();
   window.openFile(file.toStdString());
   settleKept();
-  QVERIFY(window.controller().session().probes == saved.probes);
+  QVERIFY(window.controller().session().probes == saved.shared.probes);
   QCOMPARE(window.keptProbes().current(), 0);
   QCOMPARE(errorAt(window, 0, "vsm"), error);
   QCOMPARE(result("vsm").error, error);
 
   QVERIFY(window.keptProbesPane().asText(',').startsWith("name,x,y,z,receiver,truth,"));
   QVERIFY(window.keptProbesPane().asText('\t').contains(
-      QString::fromStdString(saved.probes[0].name) + "\t"));
+      QString::fromStdString(saved.shared.probes[0].name) + "\t"));
 }
 
 // Nobody has seen the point in this window: it is read from its surface.
@@ -206,7 +206,7 @@ void KeptProbesTest::aKeptProbeOutOfSightIsGoneTo() {
   MainWindow& window = open();
   key(Qt::Key_K);
   settleKept();
-  Session away = window.sessionToSave();
+  Session away = sessionOf(window.sessionToSave());
   const double truth = window.prober().report()->probe.reference;
   const double receiver = window.prober().report()->probe.receiver;
   away.camera = turnedAround(window.controller().document().content.scene->camera);

@@ -122,7 +122,7 @@ void LessonsTest::aLessonLeavesOnesOwnSessionAsItWas() {
   window.controller().edit("technique", [](Session& s) { s.technique = "msm"; });
   settle();
   key(Qt::Key_Z, Qt::ControlModifier);  // and one step that can be redone
-  const Session own = window.sessionToSave();
+  const Workspace own = window.sessionToSave();
   const Content content = window.controller().document().content;
   const Eigen::Vector3d point = *window.prober().report()->point;
 
@@ -141,7 +141,7 @@ void LessonsTest::aLessonLeavesOnesOwnSessionAsItWas() {
   window.leaveLesson();
   settle();
   QVERIFY(!window.controller().visiting());
-  QVERIFY(window.controller().session() == own);
+  QVERIFY(window.controller().workspace() == own);
   QVERIFY(window.controller().document().content == content);
   // The probe is on its point again, to the pixel's size there: the picture may have another width.
   const Camera& camera = content.scene->camera;
@@ -162,7 +162,7 @@ void LessonsTest::quittingInALessonRemembersOnesOwnSession() {
   MainWindow& window = open();
   window.controller().edit("radius", [](Session& s) { s.frame.kernel.radius = 6; });
   settle();
-  const Session own = window.sessionToSave();
+  const Workspace own = window.sessionToSave();
   window.enterLesson(lessonNamed("layers"));
   settle();
   QObject::connect(&window, &MainWindow::closing, &window, [&] { rememberWindow(window); });

@@ -106,7 +106,7 @@ void OnceTest::aTexelIsProbedOnce() {
 
 void OnceTest::anEditMakesEachTechniqueOnce() {
   Counts counts;
-  SessionController controller(Session{}, nullptr, countedTechniques(counts));
+  SessionController controller(Workspace{}, nullptr, countedTechniques(counts));
   const std::size_t all = controller.catalogue().all().size();
   QCOMPARE(counts.size(), all);
   for (const auto& [id, count] : counts) QVERIFY2(count == 1, id.c_str());

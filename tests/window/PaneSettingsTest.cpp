@@ -2,6 +2,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "datasets/session/PaneChoice.h"
 #include "datasets/session/PaneEditing.h"
 #include "tests/window/Pictures.h"
 #include "tests/window/WindowFixture.h"
@@ -85,9 +86,9 @@ void PaneSettingsTest::aDuplicateIsDrawnWithItsOwnSettings() {
 }
 
 void PaneSettingsTest::anotherPaneBringsItsSettingsToTheControls() {
-  Session session = comparing(ComparisonMode::Single, {"vsm", "msm"});
-  session.comparison.panes.clear();
-  MainWindow& window = open(session);
+  Workspace workspace = comparing(ComparisonMode::Single, {"vsm", "msm"});
+  workspace.comparison.panes.clear();
+  MainWindow& window = open(workspace);
   ComparisonPanes& panes = window.centre().comparison();
   key(Qt::Key_D, Qt::ControlModifier);
   setRadius(window, 12);
@@ -118,12 +119,12 @@ void PaneSettingsTest::anotherPaneBringsItsSettingsToTheControls() {
 
 void PaneSettingsTest::aPanesErrorIsOfItsOwnSettings() {
   // A wipe's sides are of one size: the probe is in the same pixel of both.
-  Session session = comparing(ComparisonMode::Wipe, {"vsm", "vsm"});
-  setLinked(session, 1, false);
-  session.comparison.panes[1].own.values["kernel.radius"] = 14;
-  session.comparison.panes[1].own.values["map.size"] = 512;
-  session.comparison.panes[1].own.values["cascades.count"] = 2;
-  MainWindow& window = open(session);
+  Workspace workspace = comparing(ComparisonMode::Wipe, {"vsm", "vsm"});
+  setLinked(workspace, 1, false);
+  workspace.comparison.panes[1].own.values["kernel.radius"] = 14;
+  workspace.comparison.panes[1].own.values["map.size"] = 512;
+  workspace.comparison.panes[1].own.values["cascades.count"] = 2;
+  MainWindow& window = open(workspace);
   settlePanes();
   ComparisonPanes& panes = window.centre().comparison();
   const auto errorOf = [&](std::size_t pane) {
@@ -183,7 +184,8 @@ void PaneSettingsTest::whatPanesShowIsKept() {
   for (int i = 0; i < 3; ++i) key(Qt::Key_Z, Qt::ControlModifier);
   settlePanes();
   QCOMPARE(panes.picture(1).picture().cacheKey(), first.cacheKey());  // not drawn again
-  window.controller().edit("Choose", [](Session& session) { choosePane(session, 2, "hard"); });
+  window.controller().editPanes("Choose",
+                                [](Workspace& workspace) { choosePane(workspace, 2, "hard"); });
   settlePanes();
   QCOMPARE(panes.picture(1).picture().cacheKey(), first.cacheKey());
 }
@@ -195,11 +197,11 @@ void PaneSettingsTest::panesWithSettingsAreSavedAndOpened() {
   settlePanes();
   const QString file = folder_.filePath("own-settings.json");
   window.saveSession(file.toStdString());
-  const Session saved = window.sessionToSave();
+  const Workspace saved = window.sessionToSave();
   key(Qt::Key_F8);
   setRadius(window, 1);
   window.openFile(file.toStdString());
-  QTRY_VERIFY_WITH_TIMEOUT(window.controller().session() == saved, patience);
+  QTRY_VERIFY_WITH_TIMEOUT(window.controller().workspace() == saved, patience);
   settlePanes();
   ComparisonPanes& panes = window.centre().comparison();
   const std::vector<std::string> shown{"vsm", "vsm", "msm"};

@@ -5,19 +5,19 @@
 #include <string>
 #include <vector>
 
-#include "datasets/session/Session.h"
+#include "datasets/session/Workspace.h"
 #include "ui/picture/SceneView.h"
 #include "ui/window/MainWindow.h"
 
 namespace umbra {
 
-// A comparison on the three planes; the session's technique is the first of `techniques`.
-inline Session comparing(ComparisonMode mode, const std::vector<std::string>& techniques) {
-  Session session;
-  session.source.name = "three-planes";
-  session.technique = techniques.front();
-  session.comparison = {mode, linkedPanes(techniques), 0, 0.5};
-  return session;
+// A comparison on the three planes; the shared technique is the first of `techniques`.
+inline Workspace comparing(ComparisonMode mode, const std::vector<std::string>& techniques) {
+  Workspace workspace;
+  workspace.shared.source.name = "three-planes";
+  workspace.shared.technique = techniques.front();
+  workspace.comparison = {mode, linkedPanes(techniques), 0, 0.5};
+  return workspace;
 }
 
 // The last frame of the live view, without what is drawn over it.

@@ -22,8 +22,8 @@ void WindowFixture::cleanup() {
   QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
 }
 
-MainWindow& WindowFixture::open(const Session& session) {
-  window_ = std::make_unique<MainWindow>(session);
+MainWindow& WindowFixture::open(const Workspace& workspace) {
+  window_ = std::make_unique<MainWindow>(workspace);
   window_->resize(1300, 800);
   window_->resetLayout();
   window_->show();

@@ -22,8 +22,9 @@ class WindowFixture : public QObject {
   void cleanup();
 
  protected:
-  // A window of 1300 × 800 on the session, its first frame drawn.
-  MainWindow& open(const Session& session = {});
+  // A window of 1300 × 800 on the workspace, its first frame drawn.
+  MainWindow& open(const Workspace& workspace = {});
+  MainWindow& open(const Session& session) { return open(Workspace{session}); }
   // Waits until the last frame shows the present session and every pane follows it.
   void settle();
   void mouse(QEvent::Type type, const QPointF& point, Qt::MouseButton button,

@@ -76,7 +76,7 @@ void LessonController::goTo(std::size_t step) {
 // The veil is put on before the step's session is shown, so that no figure can be read meanwhile.
 void LessonController::show() {
   refreshVeil();
-  session_.visit(progress_->current().session);
+  session_.visit(progress_->current().workspace);
   emit changed();
 }
 

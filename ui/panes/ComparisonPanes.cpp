@@ -2,6 +2,7 @@
 
 #include <QToolButton>
 
+#include "datasets/session/PaneChoice.h"
 #include "datasets/session/PaneEditing.h"
 #include "datasets/session/PaneLabels.h"
 #include "ui/panes/PaneGrid.h"
@@ -33,8 +34,8 @@ ComparisonPanes::ComparisonPanes(SessionController& controller, SceneView& view,
   makeMore();
   grid_ = new PaneGrid(*this, view_, {headers_, techniquePictures_, wipe_, more_});
   connect(wipe_, &WipeHandle::moved, this, [this](double at) {
-    controller_.edit(
-        tr("Move wipe"), [&](Session& session) { session.comparison.wipe = at; }, "wipe");
+    controller_.editPanes(
+        tr("Move wipe"), [&](Workspace& workspace) { workspace.comparison.wipe = at; }, "wipe");
   });
   connect(wipe_, &WipeHandle::released, this, [this] { controller_.endMerge(); });
   connect(&controller_, &SessionController::changed, this, &ComparisonPanes::refresh);
@@ -56,12 +57,14 @@ void ComparisonPanes::makePane(std::size_t pane) {
   auto* header = new PaneHeader(controller_.catalogue().all(), *menu, this);
   auto* picture = new TechniquePicture(this);
   connect(header, &PaneHeader::techniqueChosen, this, [this, pane](const QString& id) {
-    controller_.edit(tr("Choose technique"),
-                     [&](Session& session) { choosePane(session, pane, id.toStdString()); });
+    controller_.editPanes(tr("Choose technique"), [&](Workspace& workspace) {
+      choosePane(workspace, pane, id.toStdString());
+    });
   });
   const auto activate = [this, pane] {
     if (pane == shown_.active) return;
-    controller_.edit(tr("Choose pane"), [&](Session& session) { activatePane(session, pane); });
+    controller_.editPanes(tr("Choose pane"),
+                          [&](Workspace& workspace) { activatePane(workspace, pane); });
   };
   connect(header, &PaneHeader::chosen, this, activate);
   connect(picture, &TechniquePicture::chosen, this, activate);
@@ -79,8 +82,9 @@ void ComparisonPanes::makeMore() {
                                "QToolButton:hover { color: %3; }")
                            .arg(style::muted.name(), style::ground.name(), style::ink.name()));
   connect(more_, &QToolButton::clicked, this, [this] {
-    controller_.edit(tr("Duplicate pane"),
-                     [this](Session& session) { duplicatePane(session, shown_.active); });
+    controller_.editPanes(tr("Duplicate pane"), [this](Workspace& workspace) {
+      duplicatePane(workspace, shown_.active);
+    });
   });
 }
 
@@ -106,7 +110,7 @@ bool ComparisonPanes::upToDate() const {
 void ComparisonPanes::refresh() {
   arrange();
   refreshFigures();
-  wipe_->setPosition(controller_.session().comparison.wipe);
+  wipe_->setPosition(controller_.workspace().comparison.wipe);
   showPictures();
   pictures_->schedule();
 }
@@ -122,8 +126,8 @@ void ComparisonPanes::arrange() {
 
 void ComparisonPanes::labelHeaders() {
   const std::vector<std::string> labels =
-      paneLabels(controller_.session(), controller_.catalogue());
-  const Comparison comparison = comparisonOf(controller_.session());
+      paneLabels(controller_.workspace(), controller_.catalogue());
+  const Comparison comparison = comparisonOf(controller_.workspace());
   for (std::size_t i = 0; i < shown_.size(); ++i) {
     headers_[i]->setRefusals(controller_.refusals(shown_[i].session.frame));
     headers_[i]->setTechnique(style::text(shown_[i].session.technique));
@@ -152,7 +156,7 @@ void ComparisonPanes::showPictures() {
   if (shownMode(controller_) != shown_.mode) return;
   if (shown_.mode == ComparisonMode::Wipe) {
     const PanePictures::Picture other = pictures_->latest(1 - shown_.active);
-    view_.setCurtain(other ? other->picture : QImage(), controller_.session().comparison.wipe,
+    view_.setCurtain(other ? other->picture : QImage(), controller_.workspace().comparison.wipe,
                      other ? other->problem : QString(), shown_.active == 1);
     return;
   }

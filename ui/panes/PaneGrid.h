@@ -4,7 +4,7 @@
 #include <QObject>
 #include <vector>
 
-#include "datasets/session/Session.h"
+#include "datasets/session/Comparison.h"
 
 class QGridLayout;
 class QToolButton;

@@ -30,7 +30,7 @@ PaneMenu::PaneMenu(SessionController& controller, std::size_t pane, QWidget* par
 
 void PaneMenu::fill() {
   clear();
-  const Comparison comparison = comparisonOf(controller_.session());
+  const Comparison comparison = comparisonOf(controller_.workspace());
   if (pane_ >= comparison.panes.size()) return;
   const Pane& pane = comparison.panes[pane_];
   const bool full =
@@ -47,8 +47,8 @@ void PaneMenu::fill() {
   linked->setChecked(pane.linked());
   linked->setToolTip(tr("What one sets in one of the panes that share is set in all of them"));
   connect(linked, &QAction::triggered, this, [this](bool on) {
-    controller_.edit(on ? tr("Share settings") : tr("Settings of its own"),
-                     [&](Session& session) { setLinked(session, pane_, on); });
+    controller_.editPanes(on ? tr("Share settings") : tr("Settings of its own"),
+                          [&](Workspace& workspace) { setLinked(workspace, pane_, on); });
   });
   fillOwn(pane);
   addSeparator();
@@ -63,20 +63,22 @@ void PaneMenu::fillOwn(const Pane& pane) {
     action->setCheckable(true);
     action->setChecked(hasOwn(pane, own.setting));
     connect(action, &QAction::triggered, this, [this, own](bool on) {
-      controller_.edit(on ? tr("Settings of its own") : tr("Share settings"),
-                       [&](Session& session) { setOwn(session, pane_, own.setting, on); });
+      controller_.editPanes(
+          on ? tr("Settings of its own") : tr("Share settings"),
+          [&](Workspace& workspace) { setOwn(workspace, pane_, own.setting, on); });
     });
   }
   addMenu(own_);
 }
 
 void PaneMenu::add(const QString& text, const QString& help, bool possible,
-                   void (*change)(Session&, std::size_t)) {
+                   void (*change)(Workspace&, std::size_t)) {
   QAction* action = addAction(text);
   action->setToolTip(help);
   action->setEnabled(possible);
   connect(action, &QAction::triggered, this, [this, text, change] {
-    controller_.edit(QString(text).remove('&'), [&](Session& session) { change(session, pane_); });
+    controller_.editPanes(QString(text).remove('&'),
+                          [&](Workspace& workspace) { change(workspace, pane_); });
   });
 }
 

@@ -21,7 +21,7 @@ class PaneMenu : public QMenu {
   void fill();
   void fillOwn(const Pane& pane);
   void add(const QString& text, const QString& help, bool possible,
-           void (*change)(Session&, std::size_t));
+           void (*change)(Workspace&, std::size_t));
 
   SessionController& controller_;
   std::size_t pane_;

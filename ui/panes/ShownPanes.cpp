@@ -19,21 +19,21 @@ ShownPane paneOf(Session session, const TechniqueCatalogue& catalogue) {
 }  // namespace
 
 ComparisonMode shownMode(const SessionController& controller) {
-  return controller.document().content.scene ? controller.session().comparison.mode
+  return controller.document().content.scene ? controller.workspace().comparison.mode
                                              : ComparisonMode::Single;
 }
 
 ShownPanes panesToShow(const SessionController& controller) {
-  const Session& session = controller.session();
   ShownPanes shown{shownMode(controller), {}, 0};
   if (shown.mode == ComparisonMode::Single) {
-    shown.panes.push_back(paneOf(session, controller.catalogue()));
+    shown.panes.push_back(paneOf(controller.session(), controller.catalogue()));
     return shown;
   }
-  const Comparison comparison = comparisonOf(session);
+  const Workspace& workspace = controller.workspace();
+  const Comparison comparison = comparisonOf(workspace);
   const std::size_t count = shownPanes(comparison);
   for (std::size_t i = 0; i < count; ++i)
-    shown.panes.push_back(paneOf(activated(session, i), controller.catalogue()));
+    shown.panes.push_back(paneOf(sessionOfPane(workspace, i), controller.catalogue()));
   if (count > 1) shown.active = comparison.active;
   return shown;
 }

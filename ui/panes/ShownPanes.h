@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "datasets/session/Session.h"
+#include "datasets/session/Workspace.h"
 #include "filters/core/technique/Technique.h"
 
 namespace umbra {
@@ -13,7 +13,7 @@ namespace umbra {
 class SessionController;
 
 struct ShownPane {
-  Session session;  // as it would be with this pane as the active one
+  Session session;  // what the pane shows
   std::shared_ptr<const Technique> technique;
   QString refusal;  // why it cannot be drawn; empty where it can
 };

@@ -6,7 +6,7 @@
 
 #include "analysis/plots/ProbePlots.h"
 #include "analysis/probe/Explain.h"
-#include "datasets/session/Comparison.h"
+#include "datasets/session/PaneChoice.h"
 #include "ui/picture/SceneView.h"
 #include "ui/probe/Prober.h"
 #include "ui/probe/RayTracedTruth.h"
@@ -45,8 +45,9 @@ EvidencePanes::EvidencePanes(SessionController& controller, SceneView& view, Pro
   connect(&view_, &SceneView::frameDrawn, this, &EvidencePanes::refreshMap);
   connect(map_, &ShadowMapView::channelChosen, this, &EvidencePanes::showChannel);
   connect(table_, &ProbeTable::techniqueChosen, this, [this](const QString& id) {
-    controller_.edit(tr("Choose technique"),
-                     [&](Session& session) { chooseTechnique(session, id.toStdString()); });
+    controller_.editPanes(tr("Choose technique"), [&](Workspace& workspace) {
+      chooseTechnique(workspace, id.toStdString());
+    });
   });
   for (PlotPane* plot : plots()) follow(*plot);
   showHints();

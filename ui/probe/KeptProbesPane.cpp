@@ -9,7 +9,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "datasets/session/Comparison.h"
+#include "datasets/session/PaneChoice.h"
 #include "ui/probe/KeptProbes.h"
 #include "ui/probe/Prober.h"
 #include "ui/session/SessionController.h"
@@ -76,8 +76,8 @@ void KeptProbesPane::makeTable() {
   connect(header, &QHeaderView::sectionClicked, this, [this](int section) {
     const TechniqueColumn* technique = model_->techniqueAt(section);
     if (!technique || !technique->refusal.isEmpty()) return;
-    controller_.edit(tr("Choose technique"), [id = technique->id](Session& session) {
-      chooseTechnique(session, id.toStdString());
+    controller_.editPanes(tr("Choose technique"), [id = technique->id](Workspace& workspace) {
+      chooseTechnique(workspace, id.toStdString());
     });
   });
   // Once the editor has closed: the rows may change by it.

@@ -1,16 +1,22 @@
-// What the window has open: the session, and what its source was read into.
+// What the window has open: the workspace, and what its source was read into.
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include "datasets/session/LoadSource.h"
-#include "datasets/session/Session.h"
+#include "datasets/session/Workspace.h"
 
 namespace umbra {
 
 struct Document {
-  Session session;
+  Document() = default;
+  Document(Workspace opened, Content read)
+      : workspace(std::move(opened)), content(std::move(read)), session(sessionOf(workspace)) {}
+
+  Workspace workspace;
   Content content;
+  Session session;  // what the active pane of the workspace shows
 };
 
 // "Tree over a bench", "truck.obj": for title bars and messages.

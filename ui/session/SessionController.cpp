@@ -43,13 +43,13 @@ class DocumentCommand : public QUndoCommand {
   int group_;
 };
 
-SessionController::SessionController(const Session& session, QObject* parent,
+SessionController::SessionController(const Workspace& workspace, QObject* parent,
                                      TechniqueCatalogue catalogue)
     : QObject(parent),
       catalogue_(std::move(catalogue)),
-      document_{session, loadSource(session.source)},
+      document_{workspace, loadSource(workspace.shared.source)},
       loader_(new SourceLoader(this)) {
-  rebuildTechniques(session);
+  rebuildTechniques(session());
   for (QUndoStack* stack : {&undo_, &visitUndo_}) {
     stack->setUndoLimit(500);
     history_.addStack(stack);
@@ -92,21 +92,28 @@ bool SessionController::loading() const {
 
 void SessionController::edit(const QString& text, const std::function<void(Session&)>& change,
                              const QString& mergeKey) {
-  Document after = document_;
+  editPanes(
+      text, [&](Workspace& workspace) { editSession(workspace, change); }, mergeKey);
+}
+
+void SessionController::editPanes(const QString& text,
+                                  const std::function<void(Workspace&)>& change,
+                                  const QString& mergeKey) {
+  Workspace after = workspace();
   try {
-    change(after.session);
+    change(after);
   } catch (const std::exception& problem) {
     emit failed(QString::fromUtf8(problem.what()));
     return;
   }
-  if (after.session == document_.session) return;
-  push(text, std::move(after), mergeKey);
+  if (after == workspace()) return;
+  push(text, {std::move(after), document_.content}, mergeKey);
 }
 
 void SessionController::amend(const std::function<void(Session&)>& change) {
-  Document after = document_;
-  change(after.session);
-  if (!(after.session == document_.session)) show(after);
+  Workspace after = workspace();
+  editSession(after, change);
+  if (!(after == workspace())) show({std::move(after), document_.content});
 }
 
 void SessionController::push(const QString& text, Document after, const QString& mergeKey) {
@@ -153,19 +160,19 @@ void SessionController::rebuildTechniques(const Session& session) {
   notices_ = notices;
 }
 
-void SessionController::open(const Session& session) {
+void SessionController::open(const Workspace& workspace) {
   visitAsked_ = false;
-  loader_->load(session);
+  loader_->load(workspace);
   emit loadingChanged(true);
 }
 
-void SessionController::visit(const Session& session) {
-  if (session.source == document_.session.source) {
+void SessionController::visit(const Workspace& workspace) {
+  if (workspace.shared.source == session().source) {
     loader_->drop();
-    return arrive({session, document_.content});
+    return arrive({workspace, document_.content});
   }
   visitAsked_ = true;
-  loader_->load(session);
+  loader_->load(workspace);
   emit loadingChanged(true);
 }
 
@@ -204,7 +211,9 @@ void SessionController::openSource(const SceneSource& source) {
   next.probes.clear();  // places of the source that was
   next.keptProbe.clear();
   next.receiver.reset();
-  open(next);
+  Workspace opened = workspace();
+  setSession(opened, next);
+  open(opened);
 }
 
 }  // namespace umbra

@@ -1,4 +1,4 @@
-// The one session of the window and every change to it.
+// The one workspace of the window and every change to it.
 #pragma once
 
 #include <QMap>
@@ -22,10 +22,13 @@ class SessionController : public QObject {
 
  public:
   // Throws what loadSource throws.
-  explicit SessionController(const Session& session, QObject* parent = nullptr,
+  explicit SessionController(const Workspace& workspace, QObject* parent = nullptr,
                              TechniqueCatalogue catalogue = allTechniques());
 
+  // What the active pane shows: all there is where nothing is compared.
   const Session& session() const { return document_.session; }
+  // What panes share, and what each has of its own.
+  const Workspace& workspace() const { return document_.workspace; }
   const Document& document() const { return document_; }
   const TechniqueCatalogue& catalogue() const { return catalogue_; }
   // All of the catalogue, in its order, with the session's parameters; not adapted to a map.
@@ -44,8 +47,12 @@ class SessionController : public QObject {
 
   // One step for undo. Edits in a row with the same `mergeKey` become one step, until `endMerge`.
   // The source must stay as it is: `open` changes it.
+  // `edit` changes what the active pane shows, `editPanes` which panes there are and which
+  // techniques they have.
   void edit(const QString& text, const std::function<void(Session&)>& change,
             const QString& mergeKey = {});
+  void editPanes(const QString& text, const std::function<void(Workspace&)>& change,
+                 const QString& mergeKey = {});
   void endMerge() { ++mergeGroup_; }
   // Changes the session without a step for undo: for what follows from an edit, such as where the
   // first probe is put.
@@ -53,7 +60,7 @@ class SessionController : public QObject {
 
   // Reads the session's source beside this thread; what is open stays until it is there. One step
   // for undo.
-  void open(const Session& session);
+  void open(const Workspace& workspace);
   // Opens another source with the same technique and frame settings, and with the light and camera
   // that the source brings.
   void openSource(const SceneSource& source);
@@ -61,11 +68,11 @@ class SessionController : public QObject {
   // Shows another session, such as a lesson's step, while the person's own waits with its history.
   // Its source is read beside this thread unless it is open already. Changes to it have a history
   // of their own, which ends with the visit or with the next one.
-  void visit(const Session& session);
+  void visit(const Workspace& workspace);
   // Brings the person's own session back as it was, at once. Does nothing where none waits.
   void leave();
   bool visiting() const { return own_.has_value(); }
-  const Session& ownSession() const { return own_ ? own_->session : document_.session; }
+  const Workspace& ownWorkspace() const { return own_ ? own_->workspace : document_.workspace; }
 
  signals:
   void changed(const umbra::Document& before, const umbra::Document& after);

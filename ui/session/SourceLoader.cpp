@@ -10,13 +10,13 @@ SourceLoader::SourceLoader(QObject* parent) : QObject(parent) {}
 // Events that a thread has posted to this object die with it.
 SourceLoader::~SourceLoader() = default;
 
-void SourceLoader::load(const Session& session) {
+void SourceLoader::load(const Workspace& workspace) {
   const int number = ++asked_;
-  threads_.emplace(number, [this, number, session] {
-    Document document{session, {}};
+  threads_.emplace(number, [this, number, workspace] {
+    Document document{workspace, {}};
     QString error;
     try {
-      document.content = loadSource(session.source);
+      document.content = loadSource(workspace.shared.source);
     } catch (const std::exception& problem) {
       error = QString::fromUtf8(problem.what());
     }

@@ -19,13 +19,13 @@ class SourceLoader : public QObject {
 
   // Loading ends in `loaded` or `failed`, on the thread of this object. Where several calls
   // overlap, only the last one is reported.
-  void load(const Session& session);
+  void load(const Workspace& workspace);
   // Gives up what is being read: it is never reported.
   void drop();
   bool busy() const { return reported_ != asked_; }
 
  signals:
-  // `document.session` is the one that was asked for.
+  // `document.workspace` is the one that was asked for.
   void loaded(const umbra::Document& document);
   void failed(const QString& message);
   void finished();  // after either

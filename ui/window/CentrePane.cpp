@@ -61,7 +61,7 @@ CentrePane::CentrePane(SessionController& controller, SceneView& view, Prober& p
           [this](const Document& before, const Document& after) {
             if (!(before.content == after.content)) showNotices();
             refresh();
-            if (!(before.session.comparison == after.session.comparison)) showReport();
+            if (!(before.workspace.comparison == after.workspace.comparison)) showReport();
           });
   connect(&controller_, &SessionController::loadingChanged, this, [this](bool loading) {
     if (loading) banner_->showProgress(tr("Opening …"));
@@ -137,7 +137,7 @@ void CentrePane::showNotices() {
 // The pane whose figures stand beside the probe: in a wipe that of the side on which the probe
 // lies, else the active one.
 std::size_t CentrePane::paneAtProbe() const {
-  const Comparison& comparison = controller_.session().comparison;
+  const Comparison& comparison = controller_.workspace().comparison;
   const auto& report = prober_.behindVeil();
   if (comparison.mode != ComparisonMode::Wipe || !report || !report->point)
     return comparison_->active();
@@ -157,10 +157,10 @@ void CentrePane::showReport() {
   view_.setHint(
       report ? QString()
              : tr("Point at a shadow to take it apart. Click to hold the point, K keeps it."));
-  const Session& session = controller_.session();
   const auto& figures = comparison_->figures(paneAtProbe());
   // In a grid the labels of the panes say the figures already.
-  const bool said = session.comparison.mode == ComparisonMode::Grid && prober_.veil().isEmpty();
+  const bool said =
+      controller_.workspace().comparison.mode == ComparisonMode::Grid && prober_.veil().isEmpty();
   if (report && !prober_.veil().isEmpty())
     return view_.setReport(report, tr("Predict first"), tr("then see what comes out here"), false);
   if (!report || !figures || said) return view_.setReport(report, {}, {}, false);

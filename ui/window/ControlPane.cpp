@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "datasets/session/PaneChoice.h"
 #include "datasets/session/PaneEditing.h"
 #include "filters/core/technique/Composition.h"
 #include "ui/picture/SceneView.h"
@@ -49,8 +50,9 @@ ControlPane::ControlPane(SessionController& controller, Prober& prober, SceneVie
   techniques_->setTechniques(controller_.catalogue().all());
   connect(&controller_, &SessionController::changed, this, &ControlPane::refresh);
   connect(techniques_, &TechniqueList::techniqueChosen, this, [this](const QString& id) {
-    controller_.edit(tr("Choose technique"),
-                     [&](Session& session) { chooseTechnique(session, id.toStdString()); });
+    controller_.editPanes(tr("Choose technique"), [&](Workspace& workspace) {
+      chooseTechnique(workspace, id.toStdString());
+    });
   });
   connect(parameters_, &ParameterForm::parameterChanged, this, &ControlPane::changeParameter);
   connect(parameters_, &ParameterForm::editingFinished, this, [this] { controller_.endMerge(); });
@@ -80,8 +82,7 @@ ControlPane::ControlPane(SessionController& controller, Prober& prober, SceneVie
 
 // Says which panes the controls are about; empty where nothing is compared.
 QString ControlPane::scope() const {
-  const Session& session = controller_.session();
-  const Comparison comparison = comparisonOf(session);
+  const Comparison comparison = comparisonOf(controller_.workspace());
   const std::size_t shown = shownPanes(comparison);
   if (!controller_.document().content.scene || shown < 2) return {};
   const Pane& active = comparison.panes[comparison.active];

@@ -32,9 +32,9 @@ namespace umbra {
 
 // The parts hear of a change in the order in which they are made here: the picture after the panes,
 // the status line after the picture.
-MainWindow::MainWindow(const Session& session, QWidget* parent)
+MainWindow::MainWindow(const Workspace& workspace, QWidget* parent)
     : QMainWindow(parent),
-      controller_(session),
+      controller_(workspace),
       view_(new SceneView),
       prober_(new Prober(controller_, *view_, this)),
       evidence_(new EvidencePanes(controller_, *view_, *prober_, this)),
@@ -132,11 +132,11 @@ const std::vector<QDockWidget*>& MainWindow::docks() const {
   return docks_->all();
 }
 
-Session MainWindow::sessionToSave() const {
+Workspace MainWindow::sessionToSave() const {
   return umbra::sessionToSave(controller_, *view_, *prober_);
 }
 
-Session MainWindow::sessionToRemember() const {
+Workspace MainWindow::sessionToRemember() const {
   return umbra::sessionToRemember(controller_, *view_, *prober_);
 }
 

@@ -37,7 +37,7 @@ class MainWindow : public QMainWindow {
 
  public:
   // Throws BadInput where the session's source cannot be read.
-  explicit MainWindow(const Session& session, QWidget* parent = nullptr);
+  explicit MainWindow(const Workspace& workspace, QWidget* parent = nullptr);
   ~MainWindow() override;
 
   SessionController& controller() { return controller_; }
@@ -54,8 +54,8 @@ class MainWindow : public QMainWindow {
   const std::vector<QDockWidget*>& docks() const;
 
   // See ui/window/files/SavedSession.h.
-  Session sessionToSave() const;
-  Session sessionToRemember() const;
+  Workspace sessionToSave() const;
+  Workspace sessionToRemember() const;
 
   // See FileActions and BleedingExport.
   void openFile(const std::filesystem::path& file);

@@ -28,19 +28,19 @@ void requireOpenGL() {
 
 }  // namespace
 
-int runWindow(int& argc, char** argv, const Session& session) {
+int runWindow(int& argc, char** argv, const Workspace& workspace) {
   prepareApplication();
   QApplication application(argc, argv);
   applyStyle(application);
   requireOpenGL();
   std::unique_ptr<MainWindow> window;
-  if (session == Session{})
+  if (workspace == Workspace{})
     if (const auto last = lastSession()) try {
         window = std::make_unique<MainWindow>(*last);
       } catch (const Error&) {
         window.reset();  // its file has gone: begin with what was asked for
       }
-  if (!window) window = std::make_unique<MainWindow>(session);
+  if (!window) window = std::make_unique<MainWindow>(workspace);
   restoreWindow(*window);
   QObject::connect(window.get(), &MainWindow::closing, [&] { rememberWindow(*window); });
   window->show();

@@ -29,12 +29,12 @@ fs::path sessionFile() {
 
 }  // namespace
 
-std::optional<Session> lastSession() {
+std::optional<Workspace> lastSession() {
   const fs::path file = sessionFile();
   std::error_code none;
   if (!fs::exists(file, none)) return std::nullopt;
   try {
-    return readSession(file);
+    return readWorkspace(file);
   } catch (const std::exception&) {
     return std::nullopt;  // of another version, or damaged: start afresh
   }
@@ -57,7 +57,7 @@ void rememberWindow(MainWindow& window) {
   settings.setValue("window/docks", window.saveState(arrangement));
   settings.sync();
   try {
-    writeSession(window.sessionToRemember(), sessionFile());
+    writeWorkspace(window.sessionToRemember(), sessionFile());
   } catch (const std::exception&) {
     return;  // the next start begins with the default scene
   }

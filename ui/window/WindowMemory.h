@@ -3,14 +3,14 @@
 
 #include <optional>
 
-#include "datasets/session/Session.h"
+#include "datasets/session/Workspace.h"
 
 namespace umbra {
 
 class MainWindow;
 
 // The session that was open last; none on the first start, or where it cannot be read any more.
-std::optional<Session> lastSession();
+std::optional<Workspace> lastSession();
 
 // Puts geometry and docks back; the default arrangement where there is nothing to put back.
 void restoreWindow(MainWindow& window);

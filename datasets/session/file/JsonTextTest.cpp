@@ -19,7 +19,7 @@ std::string nested(std::size_t levels) {
 
 std::string refusalOf(const std::string& text) {
   try {
-    sessionFromText(text, "s.json");
+    workspaceFromText(text, "s.json");
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::BadInput);
     return error.what();

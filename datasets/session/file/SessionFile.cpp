@@ -93,9 +93,8 @@ Pixel pixelFrom(const Json& value, const std::string& where) {
 
 }  // namespace
 
-Json toJson(const Session& active) {
-  Session session = active;
-  if (!(session.comparison == Comparison{})) takeApart(session);
+Json toJson(const Workspace& workspace) {
+  Session session = workspace.shared;  // a copy, since settings are bound to what they read
   Json json{{"format", sessionFormat}, {"source", sourceJson(session.source)}};
   if (session.light) json["light"] = lightJson(*session.light);
   if (session.camera) json["camera"] = cameraJson(*session.camera);
@@ -104,7 +103,10 @@ Json toJson(const Session& active) {
   json["parameters"] = Json::object();
   for (const auto& [id, values] : session.parameters)
     if (!values.empty()) json["parameters"][id] = toJson(values);
-  if (!(session.comparison == Comparison{})) json["compare"] = comparisonJson(session);
+  if (!workspace.comparison.panes.empty())
+    json["compare"] = comparisonJson(comparisonOf(workspace));
+  else if (!(workspace.comparison == Comparison{}))
+    json["compare"] = comparisonJson(workspace.comparison);
   writeSettings(json, pictureSettingsOf(session));
   if (session.probe) json["probe"] = {session.probe->x, session.probe->y};
   if (session.receiver) json["receiver"] = *session.receiver;
@@ -113,8 +115,9 @@ Json toJson(const Session& active) {
   return json;
 }
 
-Session sessionFrom(const Json& json, std::string_view where) {
-  Session session;
+Workspace workspaceFrom(const Json& json, std::string_view where) {
+  Workspace workspace;
+  Session& session = workspace.shared;
   JsonObject object(json, std::string(where));
   std::string format;
   object.read("format", format);
@@ -133,8 +136,9 @@ Session sessionFrom(const Json& json, std::string_view where) {
   object.readObject("parameters", [&](JsonObject& parameters) {
     readParameters(parameters, session.parameters);
   });
-  object.readObject("compare",
-                    [&](JsonObject& comparison) { readComparison(comparison, session); });
+  object.readObject("compare", [&](JsonObject& comparison) {
+    workspace.comparison = readComparison(comparison, session);
+  });
   double receiver = -1.0;
   object.read("receiver", receiver, 0.0, 1.0);
   if (receiver >= 0.0) session.receiver = receiver;
@@ -147,36 +151,37 @@ Session sessionFrom(const Json& json, std::string_view where) {
     throw Error(ErrorKind::BadInput,
                 std::string(where) + ": keptProbe: needs a 'probe', the pixel or texel it is at");
   object.finish();
-  return session;
+  return workspace;
 }
 
-std::string sessionToText(const Session& session) {
-  return toJson(session).dump(2) + "\n";
+std::string toText(const Workspace& workspace) {
+  return toJson(workspace).dump(2) + "\n";
 }
 
-Session sessionFromText(std::string_view text, std::string_view where) {
-  return sessionFrom(jsonFromText(text, where), where);
+Workspace workspaceFromText(std::string_view text, std::string_view where) {
+  return workspaceFrom(jsonFromText(text, where), where);
 }
 
-Session readSession(const std::filesystem::path& file) {
-  Session session = sessionFromText(textOf(file), file.string());
-  if (session.source.kind != SourceKind::Catalogue)
-    session.source.name = (std::filesystem::absolute(file).parent_path() / session.source.name)
-                              .lexically_normal()
-                              .string();
-  return session;
+Workspace readWorkspace(const std::filesystem::path& file) {
+  Workspace workspace = workspaceFromText(textOf(file), file.string());
+  SceneSource& source = workspace.shared.source;
+  if (source.kind != SourceKind::Catalogue)
+    source.name =
+        (std::filesystem::absolute(file).parent_path() / source.name).lexically_normal().string();
+  return workspace;
 }
 
-void writeSession(const Session& session, const std::filesystem::path& file) {
-  Session relative = session;
-  if (session.source.kind != SourceKind::Catalogue) {
+void writeWorkspace(const Workspace& workspace, const std::filesystem::path& file) {
+  Workspace relative = workspace;
+  SceneSource& source = relative.shared.source;
+  if (source.kind != SourceKind::Catalogue) {
     const auto folder = std::filesystem::absolute(file).parent_path();
-    relative.source.name = std::filesystem::absolute(session.source.name)
-                               .lexically_normal()
-                               .lexically_proximate(folder)
-                               .string();
+    source.name = std::filesystem::absolute(source.name)
+                      .lexically_normal()
+                      .lexically_proximate(folder)
+                      .string();
   }
-  writeTextAtomically(file, sessionToText(relative));
+  writeTextAtomically(file, toText(relative));
 }
 
 }  // namespace umbra

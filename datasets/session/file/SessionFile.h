@@ -1,5 +1,6 @@
-// Sessions as JSON: for files, for the window's memory and inside exported pictures. Light, camera,
-// frame and size are read and written by the tables of settings (SessionSettings.h); an example:
+// Workspaces as JSON, which people call sessions: for files, for the window's memory and inside
+// exported pictures. Light, camera, frame and size are read and written by the tables of settings
+// (SessionSettings.h); an example:
 //
 // {"format": "umbrascope-session/1",
 //  "source": {"scene": "tree-bench", "parameters": {"a": 0.1}}
@@ -37,24 +38,24 @@
 #include <string>
 #include <string_view>
 
-#include "datasets/session/Session.h"
+#include "datasets/session/Workspace.h"
 #include "datasets/session/file/SessionFileParameters.h"
 
 namespace umbra {
 
 inline constexpr const char* sessionFormat = "umbrascope-session/1";
 
-nlohmann::ordered_json toJson(const Session& session);
+nlohmann::ordered_json toJson(const Workspace& workspace);
 // `where` is what errors begin with, the file's name. Throws BadInput for an unknown key, a wrong
 // type, a value out of range, an unknown technique or parameter, a light or camera without picture,
 // parameters that contradict each other: each names its key.
-Session sessionFrom(const nlohmann::ordered_json& json, std::string_view where);
+Workspace workspaceFrom(const nlohmann::ordered_json& json, std::string_view where);
 
-std::string sessionToText(const Session& session);  // indented
-Session sessionFromText(std::string_view text, std::string_view where);
+std::string toText(const Workspace& workspace);  // indented
+Workspace workspaceFromText(std::string_view text, std::string_view where);
 
 // Paths of meshes and depth maps in the file are relative to its folder.
-Session readSession(const std::filesystem::path& file);
-void writeSession(const Session& session, const std::filesystem::path& file);
+Workspace readWorkspace(const std::filesystem::path& file);
+void writeWorkspace(const Workspace& workspace, const std::filesystem::path& file);
 
 }  // namespace umbra

@@ -14,8 +14,9 @@
 namespace umbra {
 
 // Every member away from its default.
-inline Session unusualSession() {
-  Session session;
+inline Workspace unusualWorkspace() {
+  Workspace workspace;
+  Session& session = workspace.shared;
   session.source.name = "three-planes";
   session.source.parameters = {{"a", 0.1}, {"b", 0.5}};
   session.light = Light{LightKind::Spot, {1, 2, 3}, {0.1, 0.2, 0.3}, 45.5, {1, 0.9, 0.8}, 2.5};
@@ -29,7 +30,7 @@ inline Session unusualSession() {
   session.technique = "power-cdf";
   session.parameters = {{"vsm", {{"min-variance", 1.0 / 3.0 * 1e-3}}},
                         {"csm", {{"terms", 8}, {"mode", std::string("scale")}}}};
-  session.comparison = {ComparisonMode::Wipe, linkedPanes({"csm", "power-cdf", "msm"}), 1, 0.375};
+  workspace.comparison = {ComparisonMode::Wipe, linkedPanes({"csm", "power-cdf", "msm"}), 1, 0.375};
   session.width = 640;
   session.height = 480;
   session.probe = Pixel{17, 23};
@@ -37,19 +38,19 @@ inline Session unusualSession() {
   session.probes = {{"Bench", Eigen::Vector3d(1.0 / 3.0, -2, 0.1), {}, 0.25},
                     {"Ast über \"Bank\"", Eigen::Vector3d(0, 1e8, 0), {}, {}}};
   session.keptProbe = "Bench";
-  return session;
+  return workspace;
 }
 
-// Writes the session as a file and checks the file against its schema.
-inline std::string written(const Session& session) {
-  EXPECT_EQ(schemaFault(sessionSchema(), toJson(session), "session"), "");
-  return sessionToText(session);
+// Writes the workspace as a file and checks the file against its schema.
+inline std::string written(const Workspace& workspace) {
+  EXPECT_EQ(schemaFault(sessionSchema(), toJson(workspace), "session"), "");
+  return toText(workspace);
 }
 
 // The message of the error that reading `text` ends in.
 inline std::string sessionErrorOf(const std::string& text) {
   try {
-    sessionFromText(text, "s.json");
+    workspaceFromText(text, "s.json");
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::BadInput);
     EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);

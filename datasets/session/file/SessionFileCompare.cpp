@@ -81,35 +81,28 @@ void readTechniques(JsonObject& object, std::vector<Pane>& panes) {
   });
 }
 
-// The one that says that it is active, else the first of the session's technique.
-void readPanes(JsonObject& object, const Session& session, Comparison& comparison) {
+// The active pane is the one that says so, else the first of the shared technique.
+void readPanes(JsonObject& object, const Session& shared, Comparison& comparison) {
   std::string activeAt;
   object.readList("panes", [&](const Json& element, const std::string& where) {
     bool active = false;
-    comparison.panes.push_back(paneFrom(element, where, session.frame, active));
+    comparison.panes.push_back(paneFrom(element, where, shared.frame, active));
     if (!active) return;
     if (!activeAt.empty()) refuse(where + ".active", "one before it is active, only one can be");
     activeAt = where;
     comparison.active = comparison.panes.size() - 1;
   });
   if (comparison.panes.empty()) return;
-  if (activeAt.empty()) comparison.active = placeOf(comparison.panes, session.technique);
+  if (activeAt.empty()) comparison.active = placeOf(comparison.panes, shared.technique);
   if (comparison.active == comparison.panes.size() ||
-      comparison.panes[comparison.active].technique != session.technique)
+      comparison.panes[comparison.active].technique != shared.technique)
     refuse(activeAt.empty() ? object.where() + ".panes" : activeAt,
-           "should show " + session.technique + ", which \"technique\" says");
+           "should show " + shared.technique + ", which \"technique\" says");
 }
 
 }  // namespace
 
-void takeApart(Session& session) {
-  if (session.comparison.panes.empty()) return;
-  session.comparison = comparisonOf(session);
-  exchangeActive(session);
-}
-
-Json comparisonJson(const Session& session) {
-  const Comparison& comparison = session.comparison;
+Json comparisonJson(const Comparison& comparison) {
   Json json{{"mode", nameOf(comparison.mode)}};
   if (isList(comparison.panes)) {
     json["techniques"] = Json::array();
@@ -122,28 +115,27 @@ Json comparisonJson(const Session& session) {
   return json;
 }
 
-void readComparison(JsonObject& object, Session& session) {
+Comparison readComparison(JsonObject& object, const Session& shared) {
   Comparison comparison;
   object.readName("mode", [&](const std::string& name, const std::string& where) {
     comparison.mode = comparisonModeFrom(name, where);
   });
   readTechniques(object, comparison.panes);
   const bool listed = !comparison.panes.empty();
-  comparison.active = placeOf(comparison.panes, session.technique);
+  comparison.active = placeOf(comparison.panes, shared.technique);
   if (comparison.active == comparison.panes.size()) comparison.active = 0;
   if (listed)
     object.readList("panes", [](const Json&, const std::string& where) {
       refuse(where, "\"techniques\" has the panes, it takes one of the two");
     });
   else
-    readPanes(object, session, comparison);
+    readPanes(object, shared, comparison);
   const std::size_t count = comparison.panes.size();
   if (count != 0 && (count < Comparison::fewest || count > Comparison::most))
     refuse(object.where() + (listed ? ".techniques" : ".panes"),
            "there are " + std::to_string(count) + ", two to six are compared");
   object.read("wipe", comparison.wipe, 0.0, 1.0);
-  session.comparison = std::move(comparison);
-  exchangeActive(session);
+  return comparison;
 }
 
 }  // namespace umbra

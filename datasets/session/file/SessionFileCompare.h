@@ -3,16 +3,13 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "datasets/session/Session.h"
+#include "datasets/session/Comparison.h"
 #include "datasets/session/file/JsonObject.h"
 
 namespace umbra {
 
-// Makes the session what its file says: own settings stand in every pane, the rest is shared.
-void takeApart(Session& session);
-// Of a session that is taken apart.
-nlohmann::ordered_json comparisonJson(const Session& session);
-// Into a session that has read technique, parameters and frame. Throws BadInput that names the key.
-void readComparison(JsonObject& object, Session& session);
+nlohmann::ordered_json comparisonJson(const Comparison& comparison);
+// `shared` has its technique, parameters and frame already. Throws BadInput that names the key.
+Comparison readComparison(JsonObject& object, const Session& shared);
 
 }  // namespace umbra

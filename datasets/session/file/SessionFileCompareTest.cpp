@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "datasets/session/PaneChoice.h"
 #include "datasets/session/file/SessionFileCheck.h"
 
 namespace umbra {
@@ -22,63 +23,67 @@ TEST(SessionFileCompare, ComparisonsWithoutPanesAreRefused) {
 }
 
 // Two panes of one technique, of which the active one has everything of its own.
-Session comparingSettings() {
-  Session session = unusualSession();
-  session.technique = "csm";
-  session.frame.read.filter = ReadFilter::Bilinear;
-  session.comparison = {ComparisonMode::Grid, linkedPanes({"csm", "power-cdf", "msm"}), 0, 0.375};
-  setOwn(session, 1, PaneSetting::Format, true);
-  session.comparison.panes[1].own.values["map.format"] = std::string("unorm16");
-  duplicatePane(session, 0);
-  session.frame.kernel = {KernelShape::Box, 12, 0.0};
-  session.frame.read = {ReadFilter::Anisotropic, 16, SatSize::Fixed, SatPrecision::Integer, 2.5};
-  session.frame.bias = {0.0, 0.5, true, false};
-  session.frame.map = {256, StorageFormat::Float, 1, {}};
-  setParameters(session, "csm", {{"terms", 4}});
-  return session;
+Workspace comparingSettings() {
+  Workspace workspace = unusualWorkspace();
+  workspace.shared.technique = "csm";
+  workspace.shared.frame.read.filter = ReadFilter::Bilinear;
+  workspace.comparison = {ComparisonMode::Grid, linkedPanes({"csm", "power-cdf", "msm"}), 0, 0.375};
+  setOwn(workspace, 1, PaneSetting::Format, true);
+  workspace.comparison.panes[1].own.values["map.format"] = std::string("unorm16");
+  duplicatePane(workspace, 0);
+  editSession(workspace, [](Session& active) {
+    active.frame.kernel = {KernelShape::Box, 12, 0.0};
+    active.frame.read = {ReadFilter::Anisotropic, 16, SatSize::Fixed, SatPrecision::Integer, 2.5};
+    active.frame.bias = {0.0, 0.5, true, false};
+    active.frame.map = {256, StorageFormat::Float, 1, {}};
+    setParameters(active, "csm", {{"terms", 4}});
+  });
+  return workspace;
 }
 
 TEST(SessionFileCompare, SettingsOfPanesSurvive) {
-  const Session session = comparingSettings();
-  const Session read = sessionFromText(written(session), "s.json");
-  EXPECT_EQ(read, session);
-  for (std::size_t pane = 0; pane < session.comparison.panes.size(); ++pane)
-    EXPECT_EQ(activated(read, pane).frame, activated(session, pane).frame) << pane;
+  const Workspace workspace = comparingSettings();
+  const Workspace read = workspaceFromText(written(workspace), "s.json");
+  EXPECT_EQ(read, workspace);
+  for (std::size_t pane = 0; pane < workspace.comparison.panes.size(); ++pane)
+    EXPECT_EQ(sessionOfPane(read, pane).frame, sessionOfPane(workspace, pane).frame) << pane;
   // Whichever of them is active.
-  for (const std::size_t pane : {0u, 2u})
-    EXPECT_EQ(sessionFromText(written(activated(session, pane)), "s.json"),
-              activated(session, pane));
-  Session fresh = unusualSession();
+  for (const std::size_t pane : {0u, 2u}) {
+    Workspace other = workspace;
+    activatePane(other, pane);
+    EXPECT_EQ(workspaceFromText(written(other), "s.json"), other);
+  }
+  Workspace fresh = unusualWorkspace();
   fresh.comparison.mode = ComparisonMode::Grid;
   duplicatePane(fresh, 1);
-  EXPECT_EQ(sessionFromText(written(fresh), "s.json"), fresh);
+  EXPECT_EQ(workspaceFromText(written(fresh), "s.json"), fresh);
 }
 
 TEST(SessionFileCompare, EverySettingOfAPaneSurvivesByItself) {
   for (int i = 0; i <= int(PaneSetting::Bias); ++i)
     for (const std::size_t pane : {0u, 1u}) {
-      Session session = unusualSession();
-      setOwn(session, pane, PaneSetting(i), true);
-      const Session read = sessionFromText(written(session), "s.json");
-      EXPECT_EQ(read, session) << i;
+      Workspace workspace = unusualWorkspace();
+      setOwn(workspace, pane, PaneSetting(i), true);
+      const Workspace read = workspaceFromText(written(workspace), "s.json");
+      EXPECT_EQ(read, workspace) << i;
       EXPECT_TRUE(hasOwn(read.comparison.panes[pane], PaneSetting(i))) << i;
     }
 }
 
 // Of a list the file says which pane is active by the session's technique alone.
 TEST(SessionFileCompare, ATechniqueChosenBesideTheListStandsWhereTheActivePaneWas) {
-  Session session = unusualSession();
-  session.technique = "lvsm";
-  session.comparison = {ComparisonMode::Grid, linkedPanes({"vsm", "lvsm", "evsm4", "msm"}), 1,
-                        0.375};
-  setMode(session, ComparisonMode::Single);
-  chooseTechnique(session, "csm");
-  Session read = sessionFromText(written(session), "s.json");
-  EXPECT_EQ(read.technique, "csm");
+  Workspace workspace = unusualWorkspace();
+  workspace.shared.technique = "lvsm";
+  workspace.comparison = {ComparisonMode::Grid, linkedPanes({"vsm", "lvsm", "evsm4", "msm"}), 1,
+                          0.375};
+  setMode(workspace, ComparisonMode::Single);
+  chooseTechnique(workspace, "csm");
+  Workspace read = workspaceFromText(written(workspace), "s.json");
+  EXPECT_EQ(read.shared.technique, "csm");
   EXPECT_EQ(read.comparison.active, 1u);
-  EXPECT_EQ(comparisonOf(read), comparisonOf(session));
-  for (Session* each : {&session, &read}) setMode(*each, ComparisonMode::Grid);
-  EXPECT_EQ(read, session);
+  EXPECT_EQ(comparisonOf(read), comparisonOf(workspace));
+  for (Workspace* each : {&workspace, &read}) setMode(*each, ComparisonMode::Grid);
+  EXPECT_EQ(read, workspace);
   EXPECT_EQ(read.comparison.panes, linkedPanes({"vsm", "csm", "evsm4", "msm"}));
 }
 
@@ -95,17 +100,17 @@ TEST(SessionFileCompare, AFileHasWhatPanesShareAndWhatIsTheirOwn) {
 }
 
 TEST(SessionFileCompare, WhatAPaneDoesNotSayItShares) {
-  const Session session = sessionFromText(
+  const Workspace workspace = workspaceFromText(
       sessionWith(R"("frame": {"mapSize": 512, "kernel": {"shape": "gaussian", "radius": 3}},
         "compare": {"mode": "grid", "panes": [
           {"technique": "vsm"}, {"technique": "vsm", "kernel": {"radius": 12}}]})"),
       "s.json");
-  EXPECT_EQ(session.comparison.active, 0u);
-  const Session second = activated(session, 1);
+  EXPECT_EQ(workspace.comparison.active, 0u);
+  const Session second = sessionOfPane(workspace, 1);
   EXPECT_EQ(second.frame.kernel, (Kernel{KernelShape::Gaussian, 12, 0.0}));
   EXPECT_EQ(second.frame.map.size, 512);
-  EXPECT_FALSE(hasOwn(session.comparison.panes[1], PaneSetting::MapSize));
-  EXPECT_FALSE(hasOwn(session.comparison.panes[1], PaneSetting::Parameters));
+  EXPECT_FALSE(hasOwn(workspace.comparison.panes[1], PaneSetting::MapSize));
+  EXPECT_FALSE(hasOwn(workspace.comparison.panes[1], PaneSetting::Parameters));
 }
 
 TEST(SessionFileCompare, PanesThatCannotBeAreRefused) {

@@ -23,23 +23,23 @@ class SessionFileTest : public testing::Test {
 };
 
 TEST_F(SessionFileTest, EverythingSurvivesTheWayThereAndBack) {
-  const Session session = unusualSession();
-  EXPECT_EQ(sessionFromText(written(session), "s.json"), session);
-  EXPECT_EQ(sessionFromText(written(Session{}), "s.json"), Session{});
+  const Workspace workspace = unusualWorkspace();
+  EXPECT_EQ(workspaceFromText(written(workspace), "s.json"), workspace);
+  EXPECT_EQ(workspaceFromText(written(Workspace{}), "s.json"), Workspace{});
 }
 
 TEST_F(SessionFileTest, AbsentKeysHaveTheirDefaults) {
-  EXPECT_EQ(sessionFromText(R"({"format": "umbrascope-session/1"})", "s.json"), Session{});
+  EXPECT_EQ(workspaceFromText(R"({"format": "umbrascope-session/1"})", "s.json"), Workspace{});
 }
 
 TEST_F(SessionFileTest, DepthAndMeshSourcesSurvive) {
-  Session depth;
-  depth.source = {SourceKind::DepthFile, "m.exr", "Z", -1.5, 40.0, {}};
-  depth.probes = {{"a", {}, Pixel{0, 16383}, {}}, {"b", {}, Pixel{7, 0}, 1.0}};
-  EXPECT_EQ(sessionFromText(written(depth), "s.json"), depth);
-  Session mesh;
-  mesh.source = {SourceKind::MeshFile, "fan.ply", "", 0.0, 1.0, {}};
-  EXPECT_EQ(sessionFromText(written(mesh), "s.json"), mesh);
+  Workspace depth;
+  depth.shared.source = {SourceKind::DepthFile, "m.exr", "Z", -1.5, 40.0, {}};
+  depth.shared.probes = {{"a", {}, Pixel{0, 16383}, {}}, {"b", {}, Pixel{7, 0}, 1.0}};
+  EXPECT_EQ(workspaceFromText(written(depth), "s.json"), depth);
+  Workspace mesh;
+  mesh.shared.source = {SourceKind::MeshFile, "fan.ply", "", 0.0, 1.0, {}};
+  EXPECT_EQ(workspaceFromText(written(mesh), "s.json"), mesh);
 }
 
 TEST_F(SessionFileTest, ErrorsNameFileAndKey) {
@@ -106,11 +106,11 @@ TEST_F(SessionFileTest, MapsAndCascadesBeyondTheirRangesAreRefused) {
 
 // As files were written before there were mip levels, summed areas, samples and cascades.
 TEST_F(SessionFileTest, FilesOfTheFirstVersionStillLoad) {
-  const Session session =
-      sessionFromText(sessionWith(R"("frame": {"mapSize": 256, "format": "half", "filter": "point",
+  const Workspace workspace = workspaceFromText(
+      sessionWith(R"("frame": {"mapSize": 256, "format": "half", "filter": "point",
         "view": "error", "kernel": {"shape": "none", "radius": 1, "sigma": 0},
         "bias": {"constant": 0, "slope": 0, "receiverPlane": false, "cullFrontFaces": true}})"),
-                      "s.json");
+      "s.json");
   FrameSettings expected;
   expected.map.size = 256;
   expected.map.format = StorageFormat::Half;
@@ -118,7 +118,7 @@ TEST_F(SessionFileTest, FilesOfTheFirstVersionStillLoad) {
   expected.read.filter = ReadFilter::Point;
   expected.bias = {0.0, 0.0, false, true};
   expected.view = ViewMode::Error;
-  EXPECT_EQ(session.frame, expected);
+  EXPECT_EQ(workspace.shared.frame, expected);
 }
 
 TEST_F(SessionFileTest, NumbersBeyondTheirTypeAreRefused) {
@@ -177,7 +177,7 @@ TEST_F(SessionFileTest, WhatIsNoSessionIsRefused) {
   EXPECT_NE(sessionErrorOf("{}").find("is no session"), std::string::npos);
   EXPECT_NE(sessionErrorOf(R"({"format": "umbrascope-session/2"})").find("is no session"),
             std::string::npos);
-  const std::string whole = written(unusualSession());
+  const std::string whole = written(unusualWorkspace());
   for (std::size_t length = 0; length + 2 < whole.size(); length += 7)
     EXPECT_NE(sessionErrorOf(whole.substr(0, length)).find("is not JSON"), std::string::npos)
         << length;
@@ -202,19 +202,19 @@ TEST_F(SessionFileTest, AKeyThatIsThereTwiceIsRefused) {
 }
 
 TEST_F(SessionFileTest, PathsAreRelativeToTheFile) {
-  Session session;
-  session.source = {
+  Workspace workspace;
+  workspace.shared.source = {
       SourceKind::MeshFile, (folder_ / "meshes" / "fan.ply").string(), "", 0.0, 1.0, {}};
-  writeSession(session, folder_ / "s.json");
+  writeWorkspace(workspace, folder_ / "s.json");
   std::ifstream stream(folder_ / "s.json");
   const std::string text((std::istreambuf_iterator<char>(stream)), {});
   EXPECT_NE(text.find("\"meshes/fan.ply\""), std::string::npos);
-  EXPECT_EQ(readSession(folder_ / "s.json"), session);
+  EXPECT_EQ(readWorkspace(folder_ / "s.json"), workspace);
 }
 
 TEST_F(SessionFileTest, AFileThatIsNotThereIsNamed) {
   try {
-    readSession(folder_ / "none.json");
+    readWorkspace(folder_ / "none.json");
     FAIL();
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("none.json"), std::string::npos);
@@ -223,7 +223,7 @@ TEST_F(SessionFileTest, AFileThatIsNotThereIsNamed) {
 
 // The file has every key, in the order in which version 0.1 wrote them.
 TEST_F(SessionFileTest, ASessionOfVersion01IsReadAsItWasMeant) {
-  EXPECT_EQ(readSession(fs::path(UMBRASCOPE_EXAMPLES) / "version-0.1.json"), unusualSession());
+  EXPECT_EQ(readWorkspace(fs::path(UMBRASCOPE_EXAMPLES) / "version-0.1.json"), unusualWorkspace());
 }
 
 }  // namespace

@@ -16,19 +16,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string faultOf(const Session& session) {
-  return schemaFault(sessionSchema(), toJson(session), "session");
+std::string faultOf(const Workspace& workspace) {
+  return schemaFault(sessionSchema(), toJson(workspace), "session");
 }
 
 TEST(SessionSchema, TakesWhatIsWritten) {
-  EXPECT_EQ(faultOf(Session{}), "");
-  EXPECT_EQ(faultOf(unusualSession()), "");
-  Session depth;
-  depth.source = {SourceKind::DepthFile, "m.exr", "Z", -1.5, 40.0, {}};
-  depth.probes = {{"a", {}, Pixel{0, 16383}, {}}};
+  EXPECT_EQ(faultOf(Workspace{}), "");
+  EXPECT_EQ(faultOf(unusualWorkspace()), "");
+  Workspace depth;
+  depth.shared.source = {SourceKind::DepthFile, "m.exr", "Z", -1.5, 40.0, {}};
+  depth.shared.probes = {{"a", {}, Pixel{0, 16383}, {}}};
   EXPECT_EQ(faultOf(depth), "");
-  depth.source = {SourceKind::MeshFile, "fan.ply", "", 0.0, 1.0, {}};
-  depth.probes.clear();
+  depth.shared.source = {SourceKind::MeshFile, "fan.ply", "", 0.0, 1.0, {}};
+  depth.shared.probes.clear();
   EXPECT_EQ(faultOf(depth), "");
 }
 
@@ -36,7 +36,7 @@ TEST(SessionSchema, TakesTheLessonsSessions) {
   std::size_t count = 0;
   for (const Lesson& lesson : lessonCatalogue())
     for (const LessonStep& step : lesson.steps) {
-      EXPECT_EQ(faultOf(step.session), "") << lesson.name;
+      EXPECT_EQ(faultOf(step.workspace), "") << lesson.name;
       ++count;
     }
   EXPECT_GT(count, 20u);
@@ -49,7 +49,7 @@ TEST(SessionSchema, TakesTheExamplesWhichAreRead) {
     const std::string text = textOf(entry.path());
     EXPECT_EQ(schemaFault(sessionSchema(), jsonFromText(text, "example"), "example"), "")
         << entry.path();
-    EXPECT_NO_THROW(readSession(entry.path())) << entry.path();
+    EXPECT_NO_THROW(readWorkspace(entry.path())) << entry.path();
     ++count;
   }
   EXPECT_GT(count, 0u);

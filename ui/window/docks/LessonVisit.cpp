@@ -32,8 +32,8 @@ LessonVisit::LessonVisit(QMainWindow& window, WindowDocks& docks, SessionControl
 void LessonVisit::enter(const Lesson& lesson) {
   const bool entering = !lessons_.progress();
   if (entering) {  // where the probe is now is part of what waits
-    controller_.amend(
-        [own = sessionToSave(controller_, view_, prober_)](Session& session) { session = own; });
+    const Session own = sessionOf(sessionToSave(controller_, view_, prober_));
+    controller_.amend([&](Session& session) { session = own; });
     pointBefore_ = prober_.pinnedPoint();
     layoutBefore_ = window_.saveState();
     controlsWidth_ = docks_.controls().width();

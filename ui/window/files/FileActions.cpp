@@ -40,7 +40,7 @@ void FileActions::open(const fs::path& file) {
       if (looksLikeLesson(file))
         emit lessonOpened(readLesson(file));
       else
-        controller_.open(readSession(file));
+        controller_.open(readWorkspace(file));
       return;
     }
     const auto [path, channel] = splitDepthArgument(file.string());
@@ -54,7 +54,7 @@ void FileActions::open(const fs::path& file) {
 }
 
 void FileActions::saveSession(const fs::path& file) {
-  writeSession(sessionToSave(controller_, view_, prober_), file);
+  writeWorkspace(sessionToSave(controller_, view_, prober_), file);
 }
 
 void FileActions::savePicture(const fs::path& file) {

@@ -6,13 +6,14 @@
 
 namespace umbra {
 
-Session sessionToSave(const SessionController& controller, const SceneView& view,
-                      const Prober& prober) {
-  Session session = controller.session();
-  if (!controller.document().content.scene) return session;
+Workspace sessionToSave(const SessionController& controller, const SceneView& view,
+                        const Prober& prober) {
+  Workspace workspace = controller.workspace();
+  Session& session = workspace.shared;
+  if (!controller.document().content.scene) return workspace;
   const QSize size = view.pixels();
   const auto& report = prober.behindVeil();
-  if (size.isEmpty()) return session;
+  if (size.isEmpty()) return workspace;
   // The report may still be about a picture of another size.
   if (session.probe && report && report->pinned && report->point)
     session.probe = view.pixelOf(*report->point).value_or(report->pixel);
@@ -20,12 +21,13 @@ Session sessionToSave(const SessionController& controller, const SceneView& view
     session.width = size.width();
     session.height = size.height();
   }
-  return session;
+  return workspace;
 }
 
-Session sessionToRemember(const SessionController& controller, const SceneView& view,
-                          const Prober& prober) {
-  return controller.visiting() ? controller.ownSession() : sessionToSave(controller, view, prober);
+Workspace sessionToRemember(const SessionController& controller, const SceneView& view,
+                            const Prober& prober) {
+  return controller.visiting() ? controller.ownWorkspace()
+                               : sessionToSave(controller, view, prober);
 }
 
 }  // namespace umbra

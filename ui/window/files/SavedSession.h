@@ -1,7 +1,7 @@
 // The session as a file keeps it.
 #pragma once
 
-#include "datasets/session/Session.h"
+#include "datasets/session/Workspace.h"
 
 namespace umbra {
 
@@ -11,10 +11,10 @@ class SessionController;
 
 // What is shown now, with the picture's size in device pixels and with the pixel that shows the
 // pinned point, so that the file opens to the same picture and probe elsewhere.
-Session sessionToSave(const SessionController& controller, const SceneView& view,
-                      const Prober& prober);
+Workspace sessionToSave(const SessionController& controller, const SceneView& view,
+                        const Prober& prober);
 // The person's own session, also while a lesson shows another one.
-Session sessionToRemember(const SessionController& controller, const SceneView& view,
-                          const Prober& prober);
+Workspace sessionToRemember(const SessionController& controller, const SceneView& view,
+                            const Prober& prober);
 
 }  // namespace umbra

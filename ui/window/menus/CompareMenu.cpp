@@ -3,6 +3,7 @@
 #include <QActionGroup>
 #include <algorithm>
 
+#include "datasets/session/PaneChoice.h"
 #include "datasets/session/PaneEditing.h"
 #include "ui/session/SessionController.h"
 #include "ui/window/menus/MenuActions.h"
@@ -39,8 +40,8 @@ CompareMenu::CompareMenu(SessionController& controller, QWidget* parent)
 void CompareMenu::addModes() {
   for (const Mode& mode : comparisonModes) {
     QAction* action = umbra::addAction(*this, tr(mode.text), QKeySequence(mode.key), [this, mode] {
-      controller_.edit(tr("Compare techniques"),
-                       [&](Session& session) { setMode(session, mode.mode); });
+      controller_.editPanes(tr("Compare techniques"),
+                            [&](Workspace& workspace) { setMode(workspace, mode.mode); });
     });
     action->setCheckable(true);
     action->setData(int(mode.mode));
@@ -49,12 +50,12 @@ void CompareMenu::addModes() {
 }
 
 void CompareMenu::addDuplicate() {
-  duplicate_ = umbra::addAction(*this, tr("&Duplicate, with settings of its own"),
-                                QKeySequence("Ctrl+D"), [this] {
-                                  controller_.edit(tr("Duplicate pane"), [](Session& session) {
-                                    duplicatePane(session, comparisonOf(session).active);
-                                  });
-                                });
+  duplicate_ = umbra::addAction(
+      *this, tr("&Duplicate, with settings of its own"), QKeySequence("Ctrl+D"), [this] {
+        controller_.editPanes(tr("Duplicate pane"), [](Workspace& workspace) {
+          duplicatePane(workspace, comparisonOf(workspace).active);
+        });
+      });
   duplicate_->setToolTip(
       tr("The same beside it, such as with another radius: the copy is set by itself"));
 }
@@ -67,18 +68,18 @@ void CompareMenu::addCounts() {
   for (std::size_t count = Comparison::fewest; count <= Comparison::most; ++count)
     umbra::addAction(*counts, tr("%1 panes").arg(count),
                      QKeySequence(QStringLiteral("Ctrl+%1").arg(count)), [this, count, known] {
-                       controller_.edit(tr("Show %1 panes").arg(count), [&](Session& session) {
-                         setPaneCount(session, count, known);
-                       });
+                       controller_.editPanes(
+                           tr("Show %1 panes").arg(count),
+                           [&](Workspace& workspace) { setPaneCount(workspace, count, known); });
                      });
 }
 
 void CompareMenu::addWipe() {
   const auto moveWipe = [this](double by) {
-    controller_.edit(
+    controller_.editPanes(
         tr("Move wipe"),
-        [&](Session& session) {
-          double& at = session.comparison.wipe;
+        [&](Workspace& workspace) {
+          double& at = workspace.comparison.wipe;
           at = std::clamp(at + by, 0.0, 1.0);
         },
         "wipe");
@@ -91,11 +92,11 @@ void CompareMenu::addWipe() {
 
 void CompareMenu::refresh() {
   const bool onScene = controller_.document().content.scene != nullptr;
-  const Comparison comparison = comparisonOf(controller_.session());
+  const Comparison comparison = comparisonOf(controller_.workspace());
   duplicate_->setEnabled(onScene && (comparison.mode != ComparisonMode::Grid ||
                                      comparison.panes.size() < Comparison::most));
   for (QAction* action : modes_->actions()) {
-    action->setChecked(action->data().toInt() == int(controller_.session().comparison.mode));
+    action->setChecked(action->data().toInt() == int(controller_.workspace().comparison.mode));
     action->setEnabled(onScene);
   }
 }

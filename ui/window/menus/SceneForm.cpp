@@ -72,8 +72,8 @@ void SceneForm::addRow(const SceneParameter& parameter) {
 
 // Light, camera and probe stay as they are, so that the change of the scene itself can be studied.
 void SceneForm::change(const std::string& name, double value) {
-  Session next = controller_.session();
-  next.source.parameters[name] = value;
+  Workspace next = controller_.workspace();
+  next.shared.source.parameters[name] = value;
   controller_.open(next);
 }
 

@@ -2,7 +2,7 @@
 
 #include <QActionGroup>
 
-#include "datasets/session/PaneEditing.h"
+#include "datasets/session/PaneChoice.h"
 #include "ui/session/SessionController.h"
 #include "ui/widgets/base/Style.h"
 #include "ui/widgets/forms/TechniqueList.h"
@@ -32,8 +32,8 @@ void TechniqueMenu::addTechniques() {
     const QKeySequence key(techniqueKey(place));
     QAction* action =
         umbra::addAction(*this, style::text(technique->info().title), key, [this, id] {
-          controller_.edit(tr("Choose technique"),
-                           [&](Session& session) { chooseTechnique(session, id); });
+          controller_.editPanes(tr("Choose technique"),
+                                [&](Workspace& workspace) { chooseTechnique(workspace, id); });
         });
     action->setCheckable(true);
     action->setData(style::text(id));
