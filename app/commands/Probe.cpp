@@ -1,3 +1,4 @@
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -5,7 +6,9 @@
 #include "analysis/frame/FrameReads.h"
 #include "app/commands/Commands.h"
 #include "app/display/DisplayLibrary.h"
+#include "app/frames/Drawings.h"
 #include "app/frames/NamedProbes.h"
+#include "app/frames/PaneProbes.h"
 #include "app/frames/RayTracedFrame.h"
 #include "app/frames/SceneProbe.h"
 #include "app/frames/TechniqueSet.h"
@@ -25,13 +28,15 @@ struct ProbeCommand {
   explicit ProbeCommand(OptionParser& command);
 
   void run() const;
-  void probeDepthMap(Session session) const;
-  void probePixel(const Session& session) const;
-  void probeKept(const Session& session, const std::vector<NamedProbe>& kept,
-                 const std::vector<std::shared_ptr<Technique>>& chosen, HeadlessFrame& frame,
+  void probeDepthMap(Workspace workspace) const;
+  void probePixel(const Workspace& workspace) const;
+  void probeKept(const Workspace& workspace, const std::vector<NamedProbe>& kept,
+                 const std::shared_ptr<const Scene>& scene, HeadlessFrame& frame,
                  Display& display) const;
   std::vector<NamedProbe> keptOnes(const Session& session) const;
   std::vector<std::shared_ptr<Technique>> techniques(const Session& session) const;
+  // The panes of a session that compares, unless techniques are named.
+  std::vector<Drawing> panes(const Workspace& workspace) const;
   bool rayTraced() const;
   bool isTable() const { return named && *named == "all"; }
   struct Taken {
@@ -40,7 +45,13 @@ struct ProbeCommand {
     Json json;
     std::optional<double> truth;                 // by rays, where errors are against it
     std::shared_ptr<const FrameSnapshot> frame;  // whose maps the request refers to, of a scene
+    std::vector<PaneProbe> panes{};              // of a session that compares
   };
+  static TakenProbe justTheProbe(Taken taken) {
+    return {std::move(taken.probe), std::move(taken.json)};
+  }
+  static void addPanes(Taken& taken, const std::vector<Drawing>& panes,
+                       const std::function<TakenProbe(const Drawing&)>& take);
   Taken takeTexel(const Session& session, const DepthMap& map,
                   const std::vector<std::shared_ptr<Technique>>& chosen, Pixel at,
                   double depth) const;
@@ -76,12 +87,29 @@ ProbeCommand::ProbeCommand(OptionParser& command) {
   command.addFlag(
       "--trace", trace,
       {group, "", "Also how each technique comes to its visibility, and which step goes wrong"});
+  command.setFooter(
+      "Of a session that compares, each pane's technique is also probed with the pane's own\n"
+      "settings, unless --technique names techniques; the table of all techniques has those of "
+      "the\n"
+      "active pane.");
   options.addTo(command);
 }
 
 std::vector<std::shared_ptr<Technique>> ProbeCommand::techniques(const Session& session) const {
   return makeTechniques(session, catalogue,
                         options.techniques(catalogue, everyTechnique(catalogue)));
+}
+
+std::vector<Drawing> ProbeCommand::panes(const Workspace& workspace) const {
+  if (options.namesTechniques() || workspace.comparison.mode == ComparisonMode::Single) return {};
+  return drawingsOfPanes(workspace, catalogue);
+}
+
+void ProbeCommand::addPanes(Taken& taken, const std::vector<Drawing>& panes,
+                            const std::function<TakenProbe(const Drawing&)>& take) {
+  if (panes.empty()) return;
+  taken.panes = probePanes(panes, take);
+  taken.json["panes"] = panesToJson(taken.panes);
 }
 
 int binsOf(const std::optional<std::string>& text) {
@@ -107,15 +135,16 @@ void ProbeCommand::run() const {
                                                ": excludes --named, give one of them");
   binsOf(bins);
   samplesOf(samples);
-  Session session = options.session(catalogue);
+  Workspace workspace = options.workspace(catalogue);
+  Session& session = workspace.shared;
   if (receiver) session.receiver = numberFrom(*receiver, "--receiver", {0.0, 1.0});
   keptOnes(session);  // refuses a name that there is not before anything is loaded
   if (folder)
     checkWritable(std::filesystem::path(*folder) / (isTable() ? "probes.json" : "probe.json"));
   if (session.source.kind == SourceKind::DepthFile)
-    probeDepthMap(session);
+    probeDepthMap(workspace);
   else
-    probePixel(session);
+    probePixel(workspace);
 }
 
 // What --named chooses; or the kept one that the session's probe is at, unless another is asked
@@ -150,7 +179,8 @@ ProbeCommand::Taken ProbeCommand::takeTexel(const Session& session, const DepthM
   return taken;
 }
 
-void ProbeCommand::probeDepthMap(Session session) const {
+void ProbeCommand::probeDepthMap(Workspace workspace) const {
+  Session& shared = workspace.shared;
   if (pixel)
     throw Error(ErrorKind::BadCommandLine,
                 "--pixel: goes with a scene, a depth map takes --texel X,Y");
@@ -159,16 +189,18 @@ void ProbeCommand::probeDepthMap(Session session) const {
         ErrorKind::BadCommandLine,
         "--reference: a depth map has no surfaces that rays could meet; raytraced goes with "
         "a scene");
-  std::vector<NamedProbe> places = keptOnes(session);
-  if (texel) session.probe = pixelFrom(*texel, "--texel");
-  if (places.empty() && !session.probe)
+  std::vector<NamedProbe> places = keptOnes(shared);
+  if (texel) shared.probe = pixelFrom(*texel, "--texel");
+  if (places.empty() && !shared.probe)
     throw Error(ErrorKind::BadCommandLine, "--texel: is missing, give --texel X,Y");
-  if (places.empty() && !session.receiver)
+  if (places.empty() && !shared.receiver)
     throw Error(ErrorKind::BadCommandLine, "--receiver: is missing, give --receiver Z");
-  if (places.empty()) places.push_back({"", {}, session.probe, session.receiver});
-  if (!options.namesFormat() && !options.namesSession()) chooseFormatFor(session);
+  if (places.empty()) places.push_back({"", {}, shared.probe, shared.receiver});
+  if (!options.namesFormat() && !options.namesSession()) chooseFormatFor(shared);
+  Session session = sessionOf(workspace);
   session.frame = readSettingsOf(session);
   const auto chosen = techniques(session);
+  const std::vector<Drawing> compared = panes(workspace);
   const DepthMap map = loadDepthMap(session.source);
   std::vector<NamedResult> results;
   for (const NamedProbe& place : places) {
@@ -185,15 +217,20 @@ void ProbeCommand::probeDepthMap(Session session) const {
     const double depth =
         receiver ? *session.receiver : place.receiver.value_or(NamedProbe::depthOnFile);
     Taken taken = takeTexel(session, map, chosen, *place.texel, depth);
+    addPanes(taken, compared, [&](const Drawing& pane) {
+      return justTheProbe(takeTexel(pane.session, map, {pane.technique}, *place.texel, depth));
+    });
     if (named) taken.json["name"] = place.name;
     if (!isTable()) return finish(taken, session, nullptr);
     result.probe = std::move(taken.probe);
     result.json = std::move(taken.json);
+    result.panes = std::move(taken.panes);
   }
   finishTable(sourceToJson(shortNameOf(session.source), map), results);
 }
 
-void ProbeCommand::probePixel(const Session& session) const {
+void ProbeCommand::probePixel(const Workspace& workspace) const {
+  const Session session = sessionOf(workspace);
   if (texel)
     throw Error(ErrorKind::BadCommandLine, "--texel: goes with --depth, a scene takes --pixel X,Y");
   const std::vector<NamedProbe> kept = keptOnes(session);
@@ -204,36 +241,62 @@ void ProbeCommand::probePixel(const Session& session) const {
   if (pixel) place = *pixel == "worst" ? std::nullopt : std::optional(pixelFrom(*pixel, "--pixel"));
   checkGpuFormat(session);
   const auto chosen = techniques(session);
+  const std::vector<Drawing> compared = panes(workspace);
+  for (const Drawing& pane : compared) checkGpuFormat(pane.session);
   const auto scene = std::make_shared<const Scene>(loadScene(session.source));
   const std::unique_ptr<Display> display = loadDisplay();
   const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
-  if (!kept.empty()) return probeKept(session, kept, chosen, *frame, *display);
+  if (!kept.empty()) return probeKept(workspace, kept, scene, *frame, *display);
   if (!place) place = worstBleeding(*frame, *suspectOf(chosen));
-  const Taken taken = describe(probeScene(*frame, session, chosen, *place), *frame, session);
+  Taken taken = describe(probeScene(*frame, session, chosen, *place), *frame, session);
+  addPanes(taken, compared, [&](const Drawing& pane) {
+    frame->show(scene, pane.session);
+    return justTheProbe(
+        describe(probeScene(*frame, pane.session, {pane.technique}, *place), *frame, pane.session));
+  });
   finish(taken, session, display.get());
 }
 
-void ProbeCommand::probeKept(const Session& session, const std::vector<NamedProbe>& kept,
-                             const std::vector<std::shared_ptr<Technique>>& chosen,
-                             HeadlessFrame& frame, Display& display) const {
+void ProbeCommand::probeKept(const Workspace& workspace, const std::vector<NamedProbe>& kept,
+                             const std::shared_ptr<const Scene>& scene, HeadlessFrame& frame,
+                             Display& display) const {
+  const Session session = sessionOf(workspace);
+  const auto chosen = techniques(session);
   const auto byHand = receiver ? session.receiver : std::optional<double>();
   auto probes = umbra::probeKept(frame, session, chosen, kept, byHand);
+  const Json source = sourceToJson(shortNameOf(session.source), frame.depthMap());
+  std::vector<std::optional<Taken>> taken;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    if (!probes[i].probe && !isTable())
+      throw Error(ErrorKind::BadCommandLine,
+                  (named ? "--named: " : "keptProbe: ") + kept[i].name + ": " + probes[i].reason);
+    taken.emplace_back();
+    if (probes[i].probe)
+      taken.back().emplace(describe(std::move(*probes[i].probe), frame, session));
+    if (taken.back() && named) taken.back()->json["name"] = kept[i].name;
+  }
+  // The panes come last: each of them draws another frame.
+  const std::vector<Drawing> compared = panes(workspace);
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    if (!taken[i]) continue;
+    addPanes(*taken[i], compared, [&](const Drawing& pane) {
+      frame.show(scene, pane.session);
+      auto own = umbra::probeKept(frame, pane.session, {pane.technique}, {kept[i]}, byHand).front();
+      if (!own.probe) throw Error(ErrorKind::BadCommandLine, own.reason);
+      return justTheProbe(describe(std::move(*own.probe), frame, pane.session));
+    });
+  }
+  if (!isTable()) return finish(*taken.front(), session, &display);
   std::vector<NamedResult> results;
   for (std::size_t i = 0; i < kept.size(); ++i) {
     NamedResult& result = results.emplace_back(NamedResult{kept[i], {}, {}, probes[i].reason, {}});
-    if (!probes[i].probe) {
-      if (isTable()) continue;
-      throw Error(ErrorKind::BadCommandLine,
-                  (named ? "--named: " : "keptProbe: ") + kept[i].name + ": " + probes[i].reason);
-    }
-    Taken taken = describe(std::move(*probes[i].probe), frame, session);
-    if (named) taken.json["name"] = kept[i].name;
-    if (!isTable()) return finish(taken, session, &display);
-    result.probe = std::move(taken.probe);
-    result.json = std::move(taken.json);
-    result.truth = taken.truth;
+    if (!taken[i]) continue;
+    result.probe = std::move(taken[i]->probe);
+    result.json = std::move(taken[i]->json);
+    result.truth = taken[i]->truth;
+    result.panes = std::move(taken[i]->panes);
   }
-  finishTable(sourceToJson(shortNameOf(session.source), frame.depthMap()), results);
+  finishTable(source, results);
 }
 
 // With what was asked for beside the probe.
@@ -262,8 +325,10 @@ void ProbeCommand::finishTable(const Json& source, const std::vector<NamedResult
   if (json) return printJson(object);
   if (!folder) {
     print(namedText(results));
-    for (const NamedResult& result : results)
+    for (const NamedResult& result : results) {
+      if (!result.panes.empty()) print("\n" + result.kept.name + "\n" + panesText(result.panes));
       if (trace && result.probe) print("\n" + result.kept.name + "\n" + tracesText(*result.probe));
+    }
     return;
   }
   OutputFolder files(*folder);
@@ -272,11 +337,13 @@ void ProbeCommand::finishTable(const Json& source, const std::vector<NamedResult
 }
 
 void ProbeCommand::finish(const Taken& taken, const Session& session, Display* display) const {
-  const auto& [request, probe, object, truth, frame] = taken;
+  const auto& [request, probe, object, truth, frame, compared] = taken;
   if (json) return printJson(object);
   if (!folder && truth)
     print("ray traced " + shortNumber(*truth) + ", which the errors are against\n");
-  if (!folder) return print(probeText(probe) + (trace ? tracesText(probe) : std::string()));
+  if (!folder)
+    return print(probeText(probe) + (compared.empty() ? "" : "\n" + panesText(compared)) +
+                 (trace ? tracesText(probe) : std::string()));
   OutputFolder files(*folder);
   const std::unique_ptr<Display> own = display ? nullptr : loadDisplay();
   writeProbe(files, display ? *display : *own, probe, object, session.technique, binsOf(bins),

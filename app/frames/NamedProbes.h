@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/probe/ProbeSheet.h"
+#include "app/frames/PaneProbes.h"
 #include "app/frames/SceneProbe.h"
 #include "app/output/Output.h"
 #include "datasets/session/Session.h"
@@ -19,6 +20,7 @@ struct NamedResult {
   std::string reason;  // why there is no probe
   std::optional<double>
       truth;  // the reference that errors are against, where it is not the probe's own
+  std::vector<PaneProbe> panes{};  // of a session that compares
 };
 
 // The saved probe of that name, or every one for "all". Throws BadCommandLine that names the probes

@@ -128,11 +128,12 @@ void addRayTraced(Json& object, double visibility, bool replaces) {
     row["error"] = row["visibility"].get<double>() - visibility;
 }
 
-std::string nameOf(const MetricsRow& row) {
-  if (row.pane == 0) return row.technique;
-  std::string name = row.technique + ", pane " + std::to_string(row.pane);
+std::string rowName(std::string_view technique, std::size_t pane, const Json& differences) {
+  std::string name(technique);
+  if (pane == 0) return name;
+  name += ", pane " + std::to_string(pane);
   std::string separator = ": ";
-  for (const auto& [setting, value] : row.differences.items()) {
+  for (const auto& [setting, value] : differences.items()) {
     name += separator + setting + " ";
     name += value.is_string() ? value.get<std::string>() : value.dump();
     separator = ", ";

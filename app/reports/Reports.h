@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "analysis/errors/BleedReduction.h"
@@ -55,8 +56,12 @@ struct MetricsRow {
   std::size_t pane = 0;               // of a session that compares, from 1; 0 is no pane
   Json differences = Json::object();  // a pane's settings that differ from another's
 };
-// How tables for people name the row: "vsm", or of a pane "vsm, pane 2: kernel.radius 12".
-std::string nameOf(const MetricsRow& row);
+// How tables for people name a technique's row: "vsm", or of a pane, which counts from 1, "vsm,
+// pane 2: kernel.radius 12".
+std::string rowName(std::string_view technique, std::size_t pane, const Json& differences);
+inline std::string nameOf(const MetricsRow& row) {
+  return rowName(row.technique, row.pane, row.differences);
+}
 
 // "umbrascope-compare/1". The darkening of a smallest reduction is a mean, as that of the metrics.
 // The parts of a decomposition are means over all samples and add up to its "error"; against rays

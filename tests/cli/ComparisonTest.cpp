@@ -146,6 +146,65 @@ TEST(ComparedFigures, PanesOfADepthMapHaveTheirOwnSettings) {
   }
 }
 
+// Each pane's probe is the one that the same settings give by themselves, on whatever it is taken.
+TEST(ComparedProbe, EveryPaneIsProbedWithItsOwnSettings) {
+  const TemporaryFolder folder;
+  writeMap(folder.file("m.exr"), smallMap());
+  const auto probed = [&](const std::string& source, const Arguments& place) {
+    std::ofstream(folder.file("s.json"))
+        << R"({"format": "umbrascope-session/1", "technique": "vsm", "size": [160, 120], )" + source
+        << R"(, "frame": {"mapSize": 256, "format": "float"}, "compare": {"mode": "grid", "panes": [
+               {"technique": "vsm"}, {"technique": "msm"},
+               {"technique": "vsm", "kernel": {"radius": 5}, "active": true,
+                "parameters": {"bleed-reduction": 0.3}}]}})";
+    Arguments arguments{"probe", "--session", folder.file("s.json"), "--json"};
+    arguments.insert(arguments.end(), place.begin(), place.end());
+    const auto alone = [&](const Arguments& options) {
+      Arguments all = arguments;
+      all.insert(all.end(), options.begin(), options.end());
+      return run(all).json();
+    };
+    const Json json = alone({});
+    ASSERT_EQ(json["panes"].size(), 3u) << source;
+    EXPECT_GT(json["techniques"].size(), 3u);
+    const Arguments settings[] = {
+        {"--technique", "vsm", "--radius", "3", "--set", "vsm.bleed-reduction=0"},
+        {"--technique", "msm", "--radius", "3"},
+        {"--technique", "vsm", "--radius", "5", "--set", "vsm.bleed-reduction=0.3"}};
+    for (std::size_t i = 0; i < 3; ++i) {
+      Json pane = json["panes"][i], same = alone(settings[i]);
+      EXPECT_FALSE(same.contains("panes"));
+      EXPECT_EQ(pane["pane"], i + 1);
+      EXPECT_EQ(pane["settings"]["kernel.radius"], i == 2 ? 5 : 3);
+      EXPECT_EQ(pane["settings"].contains("vsm.bleed-reduction"), i != 1);
+      for (const char* key : {"pane", "settings"}) pane.erase(key);
+      for (const char* key : {"format", "source"}) same.erase(key);
+      EXPECT_EQ(pane, same) << source << i;
+    }
+  };
+  probed(R"("source": {"depth": "m.exr"})", {"--texel", "8,9", "--receiver", "0.7"});
+  probed(R"("source": {"scene": "three-planes"})", {"--pixel", "80,80"});
+}
+
+TEST(ComparedProbe, SavedProbesHaveTheirPanes) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.file("s.json"))
+      << R"({"format": "umbrascope-session/1", "technique": "vsm", "size": [160, 120],
+             "source": {"scene": "three-planes"}, "frame": {"mapSize": 128},
+             "probes": [{"name": "here", "point": [0, 0, 0]}],
+             "compare": {"mode": "grid", "panes": [{"technique": "vsm"},
+               {"technique": "vsm", "kernel": {"radius": 9}}]}})";
+  const Json all =
+      run({"probe", "--session", folder.file("s.json"), "--named", "all", "--json"}).json();
+  ASSERT_EQ(all["probes"].size(), 1u);
+  ASSERT_EQ(all["probes"][0]["panes"].size(), 2u);
+  for (const Json& pane : all["probes"][0]["panes"])
+    EXPECT_NE(pane.contains("reason"), pane.contains("techniques"));
+  const std::string text =
+      run({"probe", "--session", folder.file("s.json"), "--named", "here"}).out;
+  EXPECT_NE(text.find("vsm, pane 2: kernel.radius 9"), std::string::npos) << text;
+}
+
 // A pane's parameters belong to its technique. As in the window, another technique in the pane
 // leaves the parameters of the first one as the other panes share them.
 TEST(ComparedProbe, AnotherTechniqueLeavesWhatThePanesShareOfTheFirst) {

@@ -1,0 +1,39 @@
+// Probes of a session that compares: every pane's technique with the pane's own settings, at the
+// place of one probe.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/probe/Probe.h"
+#include "app/frames/Drawings.h"
+#include "app/output/Output.h"
+
+namespace umbra {
+
+struct PaneProbe {
+  Drawing drawing;
+  std::optional<Probe> probe;  // of the pane's technique alone
+  Json json;                   // the fields of probeToJson
+  std::string reason;          // why the pane has no probe there
+};
+
+// A probe with its fields, which takes a pane's technique and settings.
+struct TakenProbe {
+  Probe probe;
+  Json json;
+};
+
+// Takes a probe of each pane. Where `take` throws, the pane says why it has none.
+std::vector<PaneProbe> probePanes(const std::vector<Drawing>& panes,
+                                  const std::function<TakenProbe(const Drawing&)>& take);
+
+// [{"pane", "settings", … a probe's fields}], with "reason" in place of the fields where a pane has
+// no probe. "settings" are those that differ from another pane's.
+Json panesToJson(const std::vector<PaneProbe>& panes);
+// A line for each pane: its settings, reference, visibility and error.
+std::string panesText(const std::vector<PaneProbe>& panes);
+
+}  // namespace umbra
