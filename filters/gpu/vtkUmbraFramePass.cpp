@@ -17,6 +17,7 @@
 #include "FullScreen_vert_glsl.h"
 #include "Surface_glsl.h"
 #include "View_frag_glsl.h"
+#include "filters/core/settings/SettingsTable.h"
 #include "filters/core/support/Error.h"
 #include "filters/core/technique/Composition.h"
 #include "filters/core/technique/TechniqueEquality.h"
@@ -24,6 +25,7 @@
 #include "filters/gpu/TechniqueShader.h"
 #include "filters/gpu/ViewColours.h"
 #include "filters/gpu/VtkCamera.h"
+#include "filters/gpu/gl/OpenGL.h"
 
 namespace umbra {
 namespace {
@@ -89,19 +91,11 @@ void vtkUmbraFramePass::SetLightFrame(const LightFrame& frame, const Eigen::Alig
 }
 
 void vtkUmbraFramePass::SetSettings(const FrameSettings& settings) {
-  this->MakeStale(FirstStale(this->Settings, settings));
+  // What else the bake depends on, the cascades' windows, shows when they have been fitted.
+  FrameSettings before = this->Settings;
+  before.map.cascades = settings.map.cascades;
+  this->MakeStale(firstStaleStage(before, settings));
   this->Settings = settings;
-}
-
-// What else the bake depends on, the cascades' windows, shows when they have been fitted.
-vtkUmbraFramePass::Stage vtkUmbraFramePass::FirstStale(const FrameSettings& before,
-                                                       const FrameSettings& after) {
-  if (before.map.size != after.map.size || before.map.samples != after.map.samples ||
-      before.bias.cullFrontFaces != after.bias.cullFrontFaces)
-    return Stage::Depth;
-  if (before.map.format != after.map.format) return Stage::Encode;
-  if (blurOf(before) != blurOf(after)) return Stage::Prefilter;
-  return Stage::Nothing;
 }
 
 void vtkUmbraFramePass::SetTechnique(const Technique& technique) {
@@ -122,7 +116,7 @@ void vtkUmbraFramePass::Render(const vtkRenderState* state) {
 }
 
 void vtkUmbraFramePass::DrawFrame(const vtkRenderState* state) {
-  if (!GLEW_VERSION_4_5)
+  if (!gl::hasVersion45())
     throw umbra::Error(ErrorKind::NoOpenGL,
                        "the window's OpenGL is older than the 4.5 that shadows need; a newer "
                        "driver, or Debian's libgl1-mesa-dri, brings it");
@@ -202,7 +196,7 @@ void vtkUmbraFramePass::Bake(const vtkRenderState* state) {
   };
   const int splits = this->Asked->adaptedSplitCount();
   const bool relaxing = splits > 0 && this->Relaxer.due(splits, this->Pace);
-  if (this->Stale == Stage::Nothing && !relaxing && !needsMore()) return;
+  if (this->Stale > Stage::Prefilter && !relaxing && !needsMore()) return;
   // VTK remembers which program it bound last; the baker binds others.
   windowOf(state->GetRenderer())->GetShaderCache()->ReleaseCurrentShader();
   if (relaxing) this->RelaxSplits();

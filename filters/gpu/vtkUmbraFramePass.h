@@ -14,6 +14,7 @@
 #include "filters/core/maps/Cascades.h"
 #include "filters/core/scene/Light.h"
 #include "filters/core/settings/FrameSettings.h"
+#include "filters/core/settings/Stage.h"
 #include "filters/core/technique/Technique.h"
 #include "filters/gpu/Baked.h"
 #include "filters/gpu/ChannelBaker.h"
@@ -83,10 +84,7 @@ class vtkUmbraFramePass : public vtkRenderPass {
   ~vtkUmbraFramePass() override;
 
  private:
-  // The stage that has to be done again, with every stage after it.
-  enum class Stage { Depth, Encode, Prefilter, Nothing };
-  // The first stage of the bake that one of the settings differs in.
-  static Stage FirstStale(const FrameSettings& before, const FrameSettings& after);
+  // The stage has to be done again, with every stage after it.
   void MakeStale(Stage stage) { this->Stale = std::min(this->Stale, stage); }
 
   void DrawFrame(const vtkRenderState* state);
@@ -121,7 +119,7 @@ class vtkUmbraFramePass : public vtkRenderPass {
   FrameSettings Settings;
   std::unique_ptr<Technique> Asked;    // as it was set
   std::unique_ptr<Technique> Adapted;  // to the depth map and the format
-  Stage Stale = Stage::Depth;
+  Stage Stale = Stage::Depth;  // later than Prefilter: nothing that is baked
   Baked Made;
   // One for each cascade, once it has been asked for in this bake.
   std::vector<std::shared_ptr<const DepthMap>> DepthValues;

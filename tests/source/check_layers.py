@@ -49,6 +49,9 @@ FORBIDDEN = {
     "app/display": set(),
     "app": {"VTK", "Qt", "OpenGL"},
 }
+# VTK 9.4 brings another header of OpenGL's functions than VTK before it: one file chooses.
+FUNCTIONS = re.compile(r"^vtk_gl(ew|ad)")
+CHOOSES_FUNCTIONS = "filters/gpu/gl/OpenGL.h"
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^">]+)[">]')
 
 
@@ -88,6 +91,8 @@ def problems_in(path, text):
         below = room_of(included) if target == layer and not is_test else None
         if room and below and (below[1] is None or below[1] > room[1]):
             yield f"{path}:{number}: the room {room[0]} must not include {below[0]} ({included})"
+        if FUNCTIONS.match(included) and path != CHOOSES_FUNCTIONS:
+            yield f"{path}:{number}: only {CHOOSES_FUNCTIONS} may include {included}"
         for library in FORBIDDEN[layer]:
             if LIBRARIES[library].match(included):
                 yield f"{path}:{number}: {layer} must not include {library} ({included})"
@@ -115,6 +120,7 @@ def self_test():
         "filters/core/support/B.h": '#include "analysis/probe/Probe.h"',
         "filters/techniques/vsm/C.cpp": '#include <QWidget>',
         "filters/gpu/D.cpp": '#include "filters/techniques/vsm/Vsm.h"',
+        "filters/gpu/W.cpp": '#include <vtk_glew.h>',
         "datasets/maps/E.cpp": '  #  include "filters/gpu/ShadowRenderer.h"',
         "ui/window/F.cpp": '#include "app/display/Display.h"',
         "app/start/J.cpp": '#include <QApplication>',
