@@ -355,7 +355,7 @@ void ProbeCommand::finish(const Taken& taken, const Session& session, Display* d
 
 Command addProbe(OptionParser& program) {
   OptionParser command = program.addCommand(
-      "probe", "Take one region apart: depths, techniques, truth", commandsGroup);
+      "probe", "Take one region apart: depths, techniques, reference", commandsGroup);
   const auto probe = std::make_shared<ProbeCommand>(command);
   return {command, [probe] { probe->run(); }};
 }

@@ -90,7 +90,7 @@ void KeptProbesTest::keptProbesStayOnTheirPoints() {
   QCOMPARE(errorAt(window, 1, "vsm"), secondError);
   QCOMPARE(cell(window, 1, columnOf(window, "VSM")),
            QString::number(result("vsm").visibility, 'f', 3));
-  QCOMPARE(cell(window, 1, columnOf(window, "Truth")),
+  QCOMPARE(cell(window, 1, columnOf(window, "Reference")),
            QString::number(window.prober().report()->probe.reference, 'f', 3));
 
   // Half a pixel's way changes what the pixel shows, and nothing of the point.

@@ -152,7 +152,7 @@ QString KeptProbes::wishedName() const {
 void KeptProbes::keep() {
   const auto& report = prober_.behindVeil();
   if (!canKeep()) return;
-  controller_.edit(tr("Keep probe"), [&](Session& session) {
+  controller_.edit(tr("Save probe"), [&](Session& session) {
     NamedProbe probe;
     probe.name = wishedName().toStdString();
     probe.receiver = session.receiver;
@@ -167,7 +167,7 @@ void KeptProbes::keep() {
     keepProbe(session, std::move(probe));
   });
   if (current() >= 0)
-    emit message(tr("Kept as “%1”: it has a row in the table of probes")
+    emit message(tr("Saved as “%1”: it has a row in the table of probes")
                      .arg(style::text(controller_.session().keptProbe)));
   prober_.refresh();
 }

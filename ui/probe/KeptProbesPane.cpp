@@ -32,7 +32,7 @@ QString inTwoLines(QString title) {
 
 KeptProbesPane::KeptProbesPane(KeptProbes& probes, SessionController& controller, Prober& prober,
                                QWidget* parent)
-    : Card(tr("Kept probes"), parent),
+    : Card(tr("Saved probes"), parent),
       probes_(probes),
       controller_(controller),
       prober_(prober),
@@ -93,7 +93,7 @@ void KeptProbesPane::makeHeader() {
     made->setAutoRaise(true);
     addToHeader(made);
   };
-  button(keep_, tr("Keep probe"), tr("Add the present probe to this table (K)"));
+  button(keep_, tr("Save probe"), tr("Add the present probe to this table (K)"));
   button(errors_, tr("Errors"), tr("Show errors in place of visibilities"));
   button(copy_, tr("Copy"), tr("Copy the table as text, tab separated"));
   errors_->setCheckable(true);
@@ -113,7 +113,7 @@ void KeptProbesPane::makeMenu() {
     connect(action, &QAction::triggered, this, run);
     return action;
   };
-  add(tr("Keep probe"), [this] { probes_.keep(); });
+  add(tr("Save probe"), [this] { probes_.keep(); });
   add(tr("Rename probe"), [this] { editName(view_->currentIndex().row()); });
   QAction* drop = add(tr("Delete probe"), [this] {
     const QModelIndex index = view_->currentIndex();
@@ -138,8 +138,8 @@ QString KeptProbesPane::asText(char separator) const {
 QString KeptProbesPane::hint() const {
   if (!prober_.veil().isEmpty()) return prober_.veil();
   return tr(
-      "Point at a shadow and press K to keep the place here, under a name: what every "
-      "technique makes of all kept places stands side by side.");
+      "Point at a shadow and press K to save the place here, under a name: what every "
+      "technique makes of all saved places stands side by side.");
 }
 
 void KeptProbesPane::refresh() {

@@ -156,7 +156,7 @@ void CentrePane::showReport() {
   }
   view_.setHint(
       report ? QString()
-             : tr("Point at a shadow to take it apart. Click to hold the point, K keeps it."));
+             : tr("Point at a shadow to take it apart. Click to hold the point, K saves it."));
   const auto& figures = comparison_->figures(paneAtProbe());
   // In a grid the labels of the panes say the figures already.
   const bool said =
@@ -173,7 +173,7 @@ void CentrePane::showReport() {
       shown,
       tr("%1, %2 · lit %3")
           .arg(shortTitle(*result.technique), kernel, QString::number(result.visibility, 'f', 3)),
-      tr("truth %1 · %2")
+      tr("reference %1 · %2")
           .arg(QString::number(figures->reference, 'f', 3),
                report->facesLight ? tr(verdictOf(result.error)) : tr("turned away from the light")),
       wrong);

@@ -95,7 +95,7 @@ QString KeptProbesModel::hintAt(const QModelIndex& index) const {
   const TechniqueColumn& technique = *techniqueAt(index.column());
   const SheetFigures::Entry* entry = entryAt(index);
   if (!entry) return technique.title + QStringLiteral(": ") + technique.refusal;
-  return tr("%1 at %2: lit %3, truth %4, error %5")
+  return tr("%1 at %2: lit %3, reference %4, error %5")
       .arg(technique.title, row.name, QString::number(entry->visibility, 'f', 3),
            QString::number(row.figures->reference, 'f', 3), style::signedFigure(entry->error));
 }
@@ -129,7 +129,7 @@ QVariant KeptProbesModel::headerData(int section, Qt::Orientation orientation, i
   const bool marked = technique && technique->id == selected_;
   switch (role) {
     case Qt::DisplayRole:
-      return technique ? technique->brief : section == NameColumn ? tr("Probe") : tr("Truth");
+      return technique ? technique->brief : section == NameColumn ? tr("Probe") : tr("Reference");
     case Qt::ToolTipRole:
       return technique                ? technique->title
              : section == TruthColumn ? tr("Exact percentage-closer filtering")

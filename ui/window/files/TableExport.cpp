@@ -26,11 +26,11 @@ void TableExport::askToSaveKeptProbes() {
     return;
   }
   if (kept_.asText(',').isEmpty()) {
-    emit failed(tr("There is no table of kept probes to export: keep a probe first (K)."));
+    emit failed(tr("There is no table of saved probes to export: save a probe first (K)."));
     return;
   }
   dialogs_.askAndWrite(
-      tr("Export kept probes"), "probes.csv", tr("Comma-separated values (*.csv)"),
+      tr("Export saved probes"), "probes.csv", tr("Comma-separated values (*.csv)"),
       [this](const fs::path& file) { writeTextAtomically(file, kept_.asText(',').toStdString()); });
 }
 

@@ -62,7 +62,7 @@ void showAbout(QWidget* parent) {
   page->setHtml(QObject::tr(
       "<h2>Umbrascope</h2>"
       "<p>Shows why filtered shadow maps are wrong: one pixel at a time, with the filter region, "
-      "what every technique makes of it, and the truth.</p>"
+      "what every technique makes of it, and the reference.</p>"
       "<p>Free software under the BSD 3-clause licence. Built on VTK, Qt, Qwt, OpenMesh, OpenEXR "
       "and Eigen.</p>"));
 }

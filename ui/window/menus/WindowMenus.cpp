@@ -76,7 +76,7 @@ void WindowMenus::addProbeMenu() {
             [this] { subjects_.prober.unpin(); });
   addAction(*menu, tr("Go to the &worst light bleeding"), QKeySequence("B"),
             [this] { subjects_.prober.pinWorstBleeding(); });
-  addAction(*menu, tr("&Keep this probe"), QKeySequence("K"), [this] { subjects_.kept.keep(); });
+  addAction(*menu, tr("&Save this probe"), QKeySequence("K"), [this] { subjects_.kept.keep(); });
   addAction(*menu, tr("Back to the &surface's own depth"), QKeySequence("R"), [this] {
     subjects_.controller.edit(tr("Reset receiver depth"),
                               [](Session& session) { session.receiver.reset(); });
