@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "analysis/probe/TestProbes.h"
 
@@ -20,7 +21,7 @@ Probe drawnFrom(double beta, int n) {
   return probeOfDepths(depths, 0.6, weights);
 }
 
-const PlotSeries& named(const Plot& plot, const std::string& beginning) {
+const PlotSeries& named(const Plot& plot, std::string_view beginning) {
   return *std::find_if(plot.series.begin(), plot.series.end(), [&](const PlotSeries& series) {
     return series.name.starts_with(beginning);
   });

@@ -56,8 +56,10 @@ const NamedProbe* Prober::keptProbe() const {
 }
 
 void Prober::holdPoint(const std::optional<Eigen::Vector3d>& point) {
-  held_.reset();
-  if (point) held_.emplace(*point);
+  if (point)
+    held_.emplace(*point);
+  else
+    held_.reset();
 }
 
 std::optional<Eigen::Vector3d> Prober::pinnedPoint() const {
