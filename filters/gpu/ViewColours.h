@@ -10,13 +10,11 @@ namespace umbra {
 
 using ViewColour = std::array<float, 3>;
 
-// Signed error, shown over [−1, 1]: neutral at 0, red where light bleeds, blue where it is too
-// dark. Neutral is white; the picture dims it a little by the surface's own shading.
+// Signed error: neutral at 0, red where light bleeds, blue where it is too dark. Neutral is white;
+// the picture dims it a little by the surface's own shading.
 inline constexpr ViewColour noErrorColour{1.0f, 1.0f, 1.0f};
 inline constexpr ViewColour bleedingColour{0.79f, 0.0f, 0.12f};
 inline constexpr ViewColour darkeningColour{0.02f, 0.31f, 0.73f};
-// The error that has its full colour.
-inline constexpr float fullError = 1.0f;
 
 // The colours of layers, from the light outwards, in turn: neighbours differ in hue and lightness.
 inline constexpr std::array<ViewColour, 8> layerColours{{{0.99f, 0.86f, 0.55f},
@@ -32,9 +30,10 @@ inline constexpr std::array<ViewColour, 8> layerColours{{{0.99f, 0.86f, 0.55f},
 inline constexpr std::array<ViewColour, 4> cascadeColours{
     {{0.98f, 0.80f, 0.36f}, {0.47f, 0.76f, 0.52f}, {0.42f, 0.63f, 0.87f}, {0.74f, 0.55f, 0.82f}}};
 
+// An error of the size 1, the largest, has its full colour.
 inline ViewColour errorColour(double error) {
   const ViewColour& end = error > 0.0 ? bleedingColour : darkeningColour;
-  const float share = float(std::min(std::abs(error) / fullError, 1.0));
+  const float share = float(std::min(std::abs(error), 1.0));
   ViewColour colour{};
   for (int c = 0; c < 3; ++c) colour[c] = noErrorColour[c] + share * (end[c] - noErrorColour[c]);
   return colour;

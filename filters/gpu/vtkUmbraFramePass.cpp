@@ -329,7 +329,7 @@ void vtkUmbraFramePass::Show(vtkRenderer* renderer) {
   gl::setUniform3(program, "umbraNoErrorColour", noErrorColour);
   gl::setUniform3(program, "umbraBleedingColour", bleedingColour);
   gl::setUniform3(program, "umbraDarkeningColour", darkeningColour);
-  gl::setUniform(program, "umbraFullError", fullError);
+  gl::setUniform(program, "umbraFullError", float(this->Settings.errorRange));
   gl::setUniform(program, "umbraOrigin", left, bottom);
   gl::setUniform3(program, "umbraLayerColours", {layerColours[0].data(), 3 * layerColours.size()});
   gl::setUniform3(program, "umbraCascadeColours",

@@ -184,6 +184,31 @@ TEST_F(Frame, ShowsTheSignOfTheErrorInColour) {
   EXPECT_GT(red, 20);
 }
 
+// The colour of bleeding has no green: what is left of it tells how far an error is from the range.
+TEST_F(Frame, ShowsAnErrorOfTheRangesSizeInFullColour) {
+  settings.view = ViewMode::Error;
+  settings.map.size = 128;
+  show(test::slabAndBall(), "vsm");
+  const Image<std::uint8_t> whole = renderer->colour();
+  settings.errorRange = 0.05;
+  showAgain();
+  EXPECT_EQ(passes(), "shade view");
+  const SurfaceImage surfaces = renderer->surfaces();
+  const Image<float> reference = renderer->reference();
+  const Image<std::uint8_t> narrow = renderer->colour();
+  int full = 0;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      if (!surfaces.receivesShadow(x, y)) continue;
+      const float error = surfaces.visibility(x, y) - reference(x, y);
+      if (error < 0.05f || error > 0.9f) continue;
+      ++full;
+      ASSERT_EQ(int(narrow(x, y, 1)), 0) << x << "," << y;
+      ASSERT_GT(int(whole(x, y, 1)), 0) << x << "," << y;
+    }
+  EXPECT_GT(full, 20);
+}
+
 TEST_F(Frame, AnotherRendererMayFollowInTheSameWindow) {
   show(test::slabOverGround(), "vsm");
   const Image<std::uint8_t> first = renderer->colour();

@@ -32,16 +32,30 @@ TEST(ColourMap, ValuesBeyondTheEndsTakeTheEndsColour) {
   EXPECT_EQ(colourAt(ColourMap::Viridis, 7.0), qRgb(0xfd, 0xe7, 0x25));
 }
 
+FrameSettings showing(ViewMode mode) {
+  FrameSettings settings;
+  settings.view = mode;
+  return settings;
+}
+
 TEST(ColourBar, IsThereForTheModesWhoseColoursAreAScale) {
   ColourBar bar;
   for (ViewMode mode : {ViewMode::Visibility, ViewMode::Error, ViewMode::Depth}) {
-    bar.setViewMode(mode);
+    bar.setView(showing(mode));
     EXPECT_FALSE(bar.isHidden());
   }
   for (ViewMode mode : {ViewMode::Shaded, ViewMode::Layers}) {
-    bar.setViewMode(mode);
+    bar.setView(showing(mode));
     EXPECT_TRUE(bar.isHidden());
   }
+}
+
+TEST(ColourBar, OfErrorsEndsAtTheRangeThatIsSet) {
+  ColourBar bar;
+  FrameSettings settings = showing(ViewMode::Error);
+  settings.errorRange = 0.1;
+  bar.setView(settings);
+  EXPECT_TRUE(bar.toolTip().contains(style::figure(0.1))) << bar.toolTip().toStdString();
 }
 
 TEST(ColourBar, DrawsItsMapFromLeftToRight) {

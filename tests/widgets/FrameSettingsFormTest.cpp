@@ -91,7 +91,7 @@ TEST_F(FrameSettingsFormTest, BoxesTakeTheRangesOfTheTable) {
     EXPECT_EQ(box->maximum(), info.high) << info.name;
     EXPECT_NE(help.find(rangeText(info)), std::string::npos) << help;
   }
-  EXPECT_EQ(boxes, 7u);
+  EXPECT_EQ(boxes, 8u);
 }
 
 TEST_F(FrameSettingsFormTest, EveryBoxNamesItsChange) {

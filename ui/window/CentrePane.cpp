@@ -107,7 +107,7 @@ void CentrePane::refresh() {
   const Document& document = controller_.document();
   const DepthMap* depth = document.content.depth.get();
   pages_->setCurrentIndex(depth ? 1 : 0);
-  legend_->setViewMode(document.session.frame.view, document.session.frame.map.cascades.count);
+  legend_->setView(document.session.frame);
   if (!depth) return;
   if (depth != shownDepth_) {
     depth_->setChannels({tr("depth")}, tr("depth"));

@@ -11,7 +11,7 @@
 //  "frame":  {"mapSize": 1024, "format": "float", "filter": "bilinear", "anisotropy": 8,
 //             "sat": {"size": "footprint", "precision": "centred", "distance": 0}, "msaa": 1,
 //             "cascades": {"count": 1, "splitLambda": 0.5, "seam": 0.1, "frozen": a camera},
-//             "view": "shaded",
+//             "view": "shaded", "errorRange": 1,
 //             "kernel": {"shape": "box", "radius": 3, "sigma": 0},
 //             "bias": {"constant": 5e-4, "slope": 1, "receiverPlane": true,
 //                      "cullFrontFaces": false}},

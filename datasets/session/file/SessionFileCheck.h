@@ -27,6 +27,7 @@ inline Workspace unusualWorkspace() {
   session.frame.read = {ReadFilter::SummedArea, 5, SatSize::Distance, SatPrecision::Plain, 12.5};
   session.frame.bias = {1e-3, 2.0, false, true};
   session.frame.view = ViewMode::Error;
+  session.frame.errorRange = 0.25;
   session.technique = "power-cdf";
   session.parameters = {{"vsm", {{"min-variance", 1.0 / 3.0 * 1e-3}}},
                         {"csm", {{"terms", 8}, {"mode", std::string("scale")}}}};

@@ -92,11 +92,14 @@ struct Bias {
 enum class ViewMode { Shaded, Visibility, Error, Depth, Layers, Cascades };
 
 struct FrameSettings {
+  static constexpr double smallestErrorRange = 0.001;
+
   MapSettings map;
   Kernel kernel;
   ReadSettings read;
   Bias bias;
   ViewMode view = ViewMode::Shaded;
+  double errorRange = 1.0;  // the size of error that has its full colour in the view of errors
 
   bool operator==(const FrameSettings&) const = default;
 };

@@ -43,6 +43,9 @@ Text withoutGaussian(const Frame& frame) {
 Text unlessAnisotropic(const Frame& frame) {
   return frame.read.filter == ReadFilter::Anisotropic ? "" : "the read is not anisotropic";
 }
+Text withoutErrors(const Frame& frame) {
+  return frame.view == ViewMode::Error ? "" : "the view does not show errors";
+}
 Text withoutTable(const Frame& frame) {
   return sums(frame) ? "" : "the read is no summed-area table";
 }
@@ -206,7 +209,20 @@ constexpr SettingRow<Frame> ofRead[] = {
                               .noun = "view",
                               .choices = viewNames,
                               .doc = "What the picture shows of the frame",
-                              .stage = Stage::Nothing})};
+                              .stage = Stage::Nothing}),
+    settingRow<&Frame::errorRange>({.name = "view.error-range",
+                                    .key = "frame.errorRange",
+                                    .option = "--error-range",
+                                    .takes = "E",
+                                    .group = view,
+                                    .title = "Error range",
+                                    .noun = "error range",
+                                    .low = Frame::smallestErrorRange,
+                                    .high = 1.0,
+                                    .doc = "The error that has its full colour in the view of "
+                                           "errors, so that small ones are seen",
+                                    .stage = Stage::Nothing},
+                                   withoutErrors)};
 
 }  // namespace
 

@@ -12,7 +12,7 @@ uniform ivec2 umbraOrigin;  // of the viewport in the window, pixels
 uniform vec3 umbraNoErrorColour;
 uniform vec3 umbraBleedingColour;
 uniform vec3 umbraDarkeningColour;
-uniform float umbraFullError;
+uniform float umbraFullError;  // the error that has its full colour, above 0
 uniform vec3 umbraLayerColours[8];  // taken in turn
 uniform vec3 umbraCascadeColours[4];
 

@@ -18,13 +18,15 @@ FrameSettingsForm::FrameSettingsForm(QWidget* parent)
   addRows("Technique and prefilter");
   addRows("Read of the shaded frame");
   addRows("Shadow map");
+  addRows("View");
   body()->addStretch();
   showSettings();
 }
 
 void FrameSettingsForm::addRows(std::string_view group) {
   for (const auto& declared : frameTable()) {
-    if (declared.info.group != group) continue;
+    // The view itself is chosen by its buttons above the picture.
+    if (declared.info.group != group || declared.info.name == "view.mode") continue;
     SettingEditor* row = SettingEditor::make(bound(declared, shown_), this);
     body()->addWidget(row);
     rows_.push_back(row);

@@ -32,14 +32,15 @@ void ColourBar::setLabel(const QString& label) {
   update();
 }
 
-void ColourBar::setViewMode(ViewMode mode, int cascades) {
-  cascades_ = mode == ViewMode::Cascades ? cascades : 0;
-  switch (mode) {
+void ColourBar::setView(const FrameSettings& settings) {
+  const double errors = settings.errorRange;
+  cascades_ = settings.view == ViewMode::Cascades ? settings.map.cascades.count : 0;
+  switch (settings.view) {
     case ViewMode::Visibility:
       setScale(ColourMap::Grey, 0.0, 1.0, tr("visibility v"));
       break;
     case ViewMode::Error:
-      setScale(ColourMap::Diverging, -1.0, 1.0, tr("error v − v_ref: too dark … too light"));
+      setScale(ColourMap::Diverging, -errors, errors, tr("error v − v_ref: too dark … too light"));
       break;
     case ViewMode::Depth:
       setScale(ColourMap::Viridis, 0.0, 1.0, tr("light-space depth z"));

@@ -16,9 +16,10 @@ class ColourBar : public QWidget {
 
   void setLabel(const QString& label);
   void setScale(ColourMap map, double low, double high, const QString& label);
-  // The bar of a view mode: visibility grey 0 … 1, error diverging −1 … +1, depth 0 … 1,
-  // one field for each of the cascades. Hides itself for modes whose colours are no scale.
-  void setViewMode(ViewMode mode, int cascades = 1);
+  // The bar of what the settings' view shows: visibility grey 0 … 1, error diverging over the range
+  // that is set, depth 0 … 1, one field for each of the cascades. Hides itself for views whose
+  // colours are no scale.
+  void setView(const FrameSettings& settings);
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
