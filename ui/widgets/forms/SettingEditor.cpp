@@ -147,6 +147,41 @@ class ChoiceEditor : public SettingEditor {
   QComboBox* box_;
 };
 
+// Edits the three coordinates of a point or direction, or the parts of a colour.
+class PointEditor : public SettingEditor {
+ public:
+  PointEditor(const Setting& shown, QWidget* parent) : SettingEditor(shown, parent) {
+    const double reach = info().reach > 0.0 ? info().reach : info().high;
+    auto* boxes = new QWidget(this);
+    auto* row = new QHBoxLayout(boxes);
+    row->setContentsMargins(0, 0, 0, 0);
+    for (RealBox*& box : boxes_) {
+      box = new RealBox(boxes);
+      box->setScale({std::max(info().low, -reach), reach});  // what the arrow keys step over
+      box->setRange(info().low, info().high);
+      box->setFixedWidth(box->fontMetrics().horizontalAdvance("-000.000") + 10);
+      row->addWidget(box);
+      connect(box, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this] {
+        take(std::vector{boxes_[0]->value(), boxes_[1]->value(), boxes_[2]->value()});
+      });
+      connect(box, &QDoubleSpinBox::editingFinished, this, &SettingEditor::finished);
+    }
+    addTitled(boxes);
+  }
+
+ protected:
+  void showValue(const SettingValue& value) override {
+    const auto& numbers = std::get<std::vector<double>>(value);
+    for (std::size_t i = 0; i < std::size(boxes_); ++i) {
+      const QSignalBlocker quiet(boxes_[i]);
+      if (boxes_[i]->value() != numbers[i]) boxes_[i]->setValue(numbers[i]);
+    }
+  }
+
+ private:
+  RealBox* boxes_[3] = {};
+};
+
 // Edits a switch, or whether a camera is stored.
 class TickEditor : public SettingEditor {
  public:
@@ -180,6 +215,7 @@ SettingEditor* SettingEditor::make(const Setting& setting, QWidget* parent) {
     return new ChoiceEditor(setting, parent);
   if (info.kind == SettingKind::Switch || info.kind == SettingKind::Camera)
     return new TickEditor(setting, parent);
+  if (info.kind == SettingKind::Point) return new PointEditor(setting, parent);
   if (!info.automatic.empty()) return new AutomaticEditor(setting, parent);
   return new NumberEditor(setting, parent);
 }

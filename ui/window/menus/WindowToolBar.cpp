@@ -8,10 +8,10 @@
 #include "ui/widgets/base/Style.h"
 #include "ui/window/menus/CompareMenu.h"
 #include "ui/window/menus/ExportMenu.h"
-#include "ui/window/menus/LightForm.h"
 #include "ui/window/menus/SceneForm.h"
 #include "ui/window/menus/SceneMenu.h"
 #include "ui/window/menus/ViewMenu.h"
+#include "ui/window/menus/ViewpointForms.h"
 #include "ui/window/menus/WindowMenus.h"
 
 namespace umbra {
@@ -25,7 +25,8 @@ WindowToolBar::WindowToolBar(SessionController& controller, WindowMenus& menus, 
   setContextMenuPolicy(Qt::PreventContextMenu);
   scene_ = addMenuButton(tr("Scene"), &menus.scene());
   adjust_ = addMenuButton(tr("Adjust"), menuOf(sceneForm_));
-  addMenuButton(tr("Light"), menuOf(new LightForm(controller_)));
+  addMenuButton(tr("Light"), menuOf(makeLightForm(controller_)));
+  addMenuButton(tr("Camera"), menuOf(makeCameraForm(controller_)));
   addWidget(new QLabel(tr("View")));
   addActions(menus.view().modes());
   addMenuButton(tr("Compare"), &menus.view().compare());
