@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 
 #include "analysis/errors/Measure.h"
 #include "analysis/plots/ProbePlots.h"
 #include "app/lessons/LessonPageStyle.h"
 #include "app/lessons/Markdown.h"
 #include "app/options/SceneSources.h"
+#include "datasets/lessons/LessonNumbers.h"
 #include "filters/core/support/Text.h"
 
 namespace umbra {
@@ -55,13 +58,13 @@ std::string captionOf(const Session& session, const SceneProbe& probe) {
   return "Scene " + shortNameOf(session.source) + adjusted + ", technique " + session.technique +
          ", " + describe(session.frame.kernel) + ", map of " +
          std::to_string(session.frame.map.size) + " texels a side, stored as " +
-         std::string(nameOf(session.frame.map.format)) + ". The ring marks pixel " +
-         std::to_string(probe.pixel.x) + ", " + std::to_string(probe.pixel.y) + ".";
+         std::string(nameOf(session.frame.map.format)) +
+         (probe.hidden ? "." : ". The ring marks the point that the step is about.");
 }
 
 std::string pictureHtml(Display& display, const LessonStep& step, const StepResult& result) {
   Image<std::uint8_t> picture = result.picture;
-  markProbe(picture, result.probe.pixel);
+  if (!result.probe.hidden) markProbe(picture, result.probe.pixel);
   const std::string caption = escapedHtml(captionOf(step.session, result.probe));
   return "<figure><img alt=\"" + caption + "\" src=\"data:image/png;base64," +
          base64(display.pngOf(picture)) + "\"><figcaption>" + caption + "</figcaption></figure>\n";
@@ -97,17 +100,19 @@ std::string claimsHtml(const Lesson& lesson, const LessonStep& step,
   return html + "</table>\n";
 }
 
-std::string questionHtml(const LessonQuestion& question, const StepResult& result,
+std::string questionHtml(const LessonStep& step, const StepResult& result,
+                         const std::function<std::string(const std::string&)>& toHtml,
                          const std::string& evidence) {
+  const LessonQuestion& question = *step.question;
   const Probe& probe = result.probe.probe;
   const double value = *measured(probe, question.asked.quantity, question.asked.technique);
   std::string html = "<div class=\"question\"><p class=\"label\">Predict first</p>\n" +
-                     markdownToHtml(question.text) +
+                     toHtml(question.text) +
                      "<p>My prediction: <span class=\"answer\">&nbsp;</span></p>\n"
                      "<details><summary>What the program measures</summary>\n";
   html += "<p><strong>" + escapedHtml(describe(question.asked)) + " = " + shortNumber(value) +
           "</strong>. A prediction within ±" + shortNumber(question.tolerance) +
-          " of it is right.</p>\n" + markdownToHtml(question.explanation);
+          " of it is right.</p>\n" + toHtml(question.explanation);
   const std::string cause =
       infoOf(question.asked.quantity).ofTechnique ? causeOf(probe, question.asked.technique) : "";
   if (!cause.empty()) html += "<p>" + escapedHtml(cause) + "</p>\n";
@@ -118,14 +123,19 @@ std::string stepHtml(Display& display, const Lesson& lesson, std::size_t index,
                      const std::vector<StepResult>& results) {
   const LessonStep& step = lesson.steps[index];
   const StepResult& result = results[index];
+  const LessonValues values = [&](const LessonQuantity& quantity) {
+    return measured(result.probe.probe, quantity.quantity, quantity.technique);
+  };
+  const auto toHtml = [&](const std::string& text) {
+    return markdownToHtml(filled(text, step, index, values));
+  };
   const std::string evidence = plotsHtml(display, step, result) + claimsHtml(lesson, step, results);
   std::string html = "<section>\n<h2><span class=\"number\">" + std::to_string(index + 1) +
-                     "</span>" + escapedHtml(step.title) + "</h2>\n" + markdownToHtml(step.text) +
+                     "</span>" + escapedHtml(step.title) + "</h2>\n" + toHtml(step.text) +
                      pictureHtml(display, step, result);
   if (!step.look.empty())
-    html += "<div class=\"look\"><p class=\"label\">Look at</p>\n" + markdownToHtml(step.look) +
-            "</div>\n";
-  html += step.question ? questionHtml(*step.question, result, evidence) : evidence;
+    html += "<div class=\"look\"><p class=\"label\">Look at</p>\n" + toHtml(step.look) + "</div>\n";
+  html += step.question ? questionHtml(step, result, toHtml, evidence) : evidence;
   return html + "</section>\n";
 }
 
@@ -154,10 +164,14 @@ std::string lessonText(const Lesson& lesson) {
   if (!lesson.after.empty()) text += "After " + lesson.after + "\n";
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
     const LessonStep& step = lesson.steps[i];
-    text += "\n" + std::to_string(i + 1) + "  " + step.title + "\n\n" + markdownToText(step.text);
-    if (!step.look.empty()) text += "\nLook at: " + markdownToText(step.look);
+    const auto toText = [&](const std::string& markdown) {
+      return markdownToText(
+          filled(markdown, step, i, [](const LessonQuantity&) { return std::optional<double>(); }));
+    };
+    text += "\n" + std::to_string(i + 1) + "  " + step.title + "\n\n" + toText(step.text);
+    if (!step.look.empty()) text += "\nLook at: " + toText(step.look);
     if (!step.question) continue;
-    text += "\nPredict first:\n" + markdownToText(step.question->text) + "(" +
+    text += "\nPredict first:\n" + toText(step.question->text) + "(" +
             describe(step.question->asked) + ", " + shortNumber(step.question->low) + " to " +
             shortNumber(step.question->high) + ")\n";
   }

@@ -1,6 +1,8 @@
 #include "app/lessons/LessonSteps.h"
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 #include "analysis/errors/BleedReduction.h"
 #include "analysis/errors/Measure.h"
@@ -60,14 +62,19 @@ class ShownScene {
   std::unique_ptr<HeadlessFrame> frame_;
 };
 
-StepResult measure(ShownScene& shown, const Lesson& lesson, std::size_t step) {
-  const Session& session = lesson.steps[step].session;
+StepResult measure(ShownScene& shown, const Lesson& lesson, std::size_t step,
+                   const std::optional<PictureShape>& shape) {
+  Session session = lesson.steps[step].session;
+  if (shape) std::tie(session.width, session.height) = std::pair(shape->width, shape->height);
   const TechniqueCatalogue catalogue = allTechniques();
   HeadlessFrame* frame = &shown.show(session);
   std::vector<std::shared_ptr<Technique>> techniques;
   for (const std::string& id : techniquesOf(lesson, step))
     techniques.push_back(techniqueOf(session, catalogue, id));
-  StepResult result{probeScene(*frame, session, techniques, *session.probe), {}, {}};
+  const NamedProbe point{lessonProbe, lesson.steps[step].at, {}, session.receiver};
+  KeptSceneProbe probe = probeKept(*frame, session, techniques, {point}, {}).front();
+  if (!probe.probe) throw Error(ErrorKind::BadInput, "at: " + probe.reason);
+  StepResult result{std::move(*probe.probe), {}, {}};
   if (!result.probe.probe.refused.empty())
     throw Error(ErrorKind::BadInput, result.probe.probe.refused.front().reason);
   for (const std::string& id : framesOf(lesson, step)) {
@@ -81,13 +88,14 @@ StepResult measure(ShownScene& shown, const Lesson& lesson, std::size_t step) {
 
 }  // namespace
 
-std::vector<StepResult> measureSteps(Display& display, const Lesson& lesson) {
+std::vector<StepResult> measureSteps(Display& display, const Lesson& lesson,
+                                     const std::optional<PictureShape>& shape) {
   std::vector<StepResult> results;
   ShownScene shown(display);
   for (std::size_t step = 0; step < lesson.steps.size(); ++step) {
     throwIfCancelled();
     try {
-      results.push_back(measure(shown, lesson, step));
+      results.push_back(measure(shown, lesson, step, shape));
     } catch (const Error& error) {
       // What is wrong is in the lesson, not among the options of this command.
       const bool input =

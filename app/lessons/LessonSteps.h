@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,9 +24,18 @@ struct ClaimResult {
   bool holds = false;
 };
 
-// In the order of the lesson's steps. Throws BadInput that names lesson and step for a probe that
-// hits no surface and for a technique that the step's format cannot hold.
-std::vector<StepResult> measureSteps(Display& display, const Lesson& lesson);
+// In pixels.
+struct PictureShape {
+  int width, height;
+};
+// The windows in which a lesson must hold: wide and narrow ones, large and small.
+inline constexpr PictureShape lessonShapes[] = {{1280, 720}, {1600, 900}, {1000, 900}, {960, 540}};
+
+// In the order of the lesson's steps, in pictures of that shape or else of the steps' sessions.
+// Throws BadInput that names lesson and step for a point on no surface and for a technique that the
+// step's format cannot hold.
+std::vector<StepResult> measureSteps(Display& display, const Lesson& lesson,
+                                     const std::optional<PictureShape>& shape = {});
 
 double valueOf(const std::vector<StepResult>& results, const LessonQuantity& quantity);
 ClaimResult checkClaim(const std::vector<StepResult>& results, const LessonClaim& claim);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "datasets/lessons/LessonNumbers.h"
+
 namespace umbra {
 
 bool holds(const LessonClaim& claim, double left, double right) {
@@ -26,6 +28,12 @@ const char* nameOf(LessonRelation relation) {
   return relation == LessonRelation::Less ? "<" : relation == LessonRelation::Greater ? ">" : "≈";
 }
 
+std::vector<std::string> textsOf(const LessonStep& step) {
+  std::vector<std::string> texts{step.text, step.look};
+  if (step.question) texts.insert(texts.end(), {step.question->text, step.question->explanation});
+  return texts;
+}
+
 std::vector<std::string> techniquesOf(const Lesson& lesson, std::size_t step) {
   std::vector<std::string> ids{lesson.steps[step].session.technique};
   const auto add = [&](const LessonQuantity& quantity) {
@@ -33,6 +41,10 @@ std::vector<std::string> techniquesOf(const Lesson& lesson, std::size_t step) {
     if (std::find(ids.begin(), ids.end(), quantity.technique) == ids.end())
       ids.push_back(quantity.technique);
   };
+  for (const std::string& text : textsOf(lesson.steps[step]))
+    for (const LessonQuantity& quantity :
+         quantitiesIn(text, lesson.steps[step].session.technique, step, ""))
+      add(quantity);
   for (const LessonStep& one : lesson.steps) {
     if (one.question) add(one.question->asked);
     for (const LessonClaim& claim : one.claims) {

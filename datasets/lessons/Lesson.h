@@ -2,6 +2,7 @@
 // prediction, and claims that can be computed.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -11,6 +12,9 @@
 #include "filters/core/support/Quantity.h"
 
 namespace umbra {
+
+// What a step's point is called among the saved probes.
+inline constexpr const char* lessonProbe = "lesson";
 
 // A quantity of a step's probe or frame.
 struct LessonQuantity {
@@ -44,10 +48,11 @@ struct LessonQuestion {
 
 struct LessonStep {
   std::string title;
-  std::string text;     // Markdown: paragraphs, lists, formulas indented by four spaces
-  std::string look;     // Markdown: what to look at
-  Workspace workspace;  // what the window opens
-  Session session;      // what its active pane shows; has a probe and shows a scene
+  std::string text;             // Markdown: paragraphs, lists, formulas indented by four spaces
+  std::string look;             // Markdown: what to look at
+  Eigen::Vector3d at{0, 0, 0};  // world: the point of a surface that the step is about
+  Workspace workspace;          // what the window opens: its saved probe is held at the point
+  Session session;              // what its active pane shows: a scene
   std::optional<LessonQuestion> question;
   std::vector<LessonClaim> claims;
 };
@@ -67,6 +72,8 @@ bool holds(const LessonClaim& claim, double left, double right);
 std::string describe(const LessonQuantity& quantity);
 // "<", ">" or "≈".
 const char* nameOf(LessonRelation relation);
+// The texts of the step that may have numbers: see LessonNumbers.h.
+std::vector<std::string> textsOf(const LessonStep& step);
 // The techniques that the step mentions, each once; the session's own is first.
 std::vector<std::string> techniquesOf(const Lesson& lesson, std::size_t step);
 

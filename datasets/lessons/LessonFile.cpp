@@ -1,9 +1,12 @@
 #include "datasets/lessons/LessonFile.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 
+#include "datasets/lessons/LessonNumbers.h"
 #include "datasets/session/file/JsonObject.h"
 #include "datasets/session/file/JsonText.h"
 #include "datasets/session/file/SessionFile.h"
@@ -101,13 +104,46 @@ LessonClaim claimOf(JsonObject& object, const Place& place) {
   return claim;
 }
 
-void checkSession(const Session& session, const std::string& where) {
+// Reads the point that the step is about.
+Eigen::Vector3d pointOf(JsonObject& step) {
+  std::optional<Eigen::Vector3d> point;
+  step.readObject("at", [&](JsonObject& at) {
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    double world[3] = {none, none, none};
+    at.readVector("world", world);
+    if (std::isfinite(world[0])) point = {world[0], world[1], world[2]};
+    at.finish();
+  });
+  if (!point)
+    refuse(step.where(),
+           ": needs an 'at', the point of a surface that it is about: {\"world\": [x, y, z]}");
+  return *point;
+}
+
+// A pixel would be another place in a window of another size. A saved probe stays on its point.
+void hold(const Eigen::Vector3d& point, Workspace& workspace, const std::string& where) {
+  Session& session = workspace.shared;
   if (session.source.kind == SourceKind::DepthFile)
     refuse(where, ".source: a lesson's step shows a scene, not a depth map");
-  if (!session.probe) refuse(where, ": needs a 'probe', the pixel that the step is about");
-  if (session.probe->x >= session.width || session.probe->y >= session.height)
-    refuse(where, ".probe: is outside the picture of " + std::to_string(session.width) + " x " +
-                      std::to_string(session.height) + " pixels");
+  if (session.probe)
+    refuse(where,
+           ".probe: a pixel is another place in a window of another size; the step has an 'at' "
+           "instead, whose point `umbrascope probe --pixel X,Y --json` tells as \"world\"");
+  if (const std::string why = whyNotProbeName(session.probes, lessonProbe); !why.empty())
+    refuse(where, ".probes: " + why);
+  session.probes.push_back({lessonProbe, point, {}, session.receiver});
+  session.keptProbe = lessonProbe;
+  session.probe = Pixel{session.width / 2, session.height / 2};  // until a frame shows the point
+}
+
+// A question's text gives its answer away nowhere.
+void checkNumbers(const LessonStep& step, std::size_t index, const std::string& where) {
+  const std::string& technique = step.session.technique;
+  for (const std::string& text : textsOf(step)) quantitiesIn(text, technique, index, where);
+  if (!step.question) return;
+  for (const LessonQuantity& quantity : quantitiesIn(step.question->text, technique, index, where))
+    if (quantity == step.question->asked)
+      refuse(where, ".question.text: has the number that the question asks for");
 }
 
 LessonStep stepOf(const Json& json, const std::string& where, std::size_t index,
@@ -120,9 +156,10 @@ LessonStep stepOf(const Json& json, const std::string& where, std::size_t index,
   require(step.text, object, "text");
   object.readLines("look", step.look);
   if (!json.contains("session")) refuse(where, ": needs a 'session'");
+  step.at = pointOf(object);
   step.workspace = workspaceFrom(json.at("session"), where + ".session");
+  hold(step.at, step.workspace, where + ".session");
   step.session = sessionOf(step.workspace);
-  checkSession(step.session, where + ".session");
   const Place place{step.session, index, count};
   object.readObject("question",
                     [&](JsonObject& question) { step.question = questionOf(question, place); });
@@ -131,6 +168,7 @@ LessonStep stepOf(const Json& json, const std::string& where, std::size_t index,
     step.claims.push_back(claimOf(claim, place));
     claim.finish();
   });
+  checkNumbers(step, index, where);
   object.readRest([&](const std::string& key, const Json&, const std::string& at) {
     if (key != "session") refuse(at, ": there is no such key");
   });

@@ -4,7 +4,7 @@
 //  "name": "light-bleeding", "title": "…", "summary": "…", "after": "Lauritzen 2008, §3.3",
 //  "steps": [
 //    {"title": "…", "text": ["A line", "", "    a formula"], "look": "…",
-//     "session": {"format": "umbrascope-session/1", …, "probe": [x, y]},
+//     "at": {"world": [x, y, z]}, "session": {"format": "umbrascope-session/1", …},
 //     "question": {"text": "…", "quantity": "visibility", "technique": "vsm",
 //                  "low": 0, "high": 1, "tolerance": 0.02, "explanation": "…"},
 //     "claims": [{"text": "…", "quantity": "visibility", "technique": "vsm", "step": 1,
@@ -13,9 +13,11 @@
 //                 "than": {"quantity": "rmse", "technique": "pcf", "step": 2}},
 //                {"quantity": "reference", "relation": "≈", "value": 0, "tolerance": 1e-6}]}]}
 //
-// A text is one string or a list of its lines, Markdown. The session is one that SessionFile reads;
-// it shows a scene and has a probe. Where "technique" is absent it is the session's, where "step"
-// is absent it is the step itself. "question", "claims", "look" and "after" may be absent.
+// A text is one string or a list of its lines, Markdown, with numbers that are computed when it is
+// shown: see LessonNumbers.h. The session is one that SessionFile reads;
+// it shows a scene. The step is about the point "at", whatever the window's size. Where "technique"
+// is absent it is the session's, where "step" is absent it is the step itself. "question",
+// "claims", "look" and "after" may be absent.
 #pragma once
 
 #include <filesystem>

@@ -1,8 +1,10 @@
 #include "ui/lessons/LessonController.h"
 
 #include "analysis/errors/Measure.h"
+#include "datasets/lessons/LessonNumbers.h"
 #include "ui/probe/Prober.h"
 #include "ui/session/SessionController.h"
+#include "ui/widgets/base/Style.h"
 
 namespace umbra {
 
@@ -26,6 +28,24 @@ std::optional<double> LessonController::measurement() const {
   if (!arrived() || !progress_->current().question || !report) return std::nullopt;
   const LessonQuantity& asked = progress_->current().question->asked;
   return umbra::measured(report->probe, asked.quantity, asked.technique);
+}
+
+std::optional<double> LessonController::reference() const {
+  const auto& report = prober_.behindVeil();
+  if (!arrived() || !report) return std::nullopt;
+  return report->probe.reference;
+}
+
+QString LessonController::filledIn(const std::string& text) const {
+  const LessonStep& step = progress_->current();
+  const auto& report = prober_.behindVeil();
+  return style::text(filled(
+      text, step, progress_->step, [&](const LessonQuantity& quantity) -> std::optional<double> {
+        const bool tells = progress_->veiled() && (infoOf(quantity.quantity).ofTechnique ||
+                                                   quantity == step.question->asked);
+        if (!arrived() || !report || !report->pinned || tells) return std::nullopt;
+        return umbra::measured(report->probe, quantity.quantity, quantity.technique);
+      }));
 }
 
 QString LessonController::cause() const {

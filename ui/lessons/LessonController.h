@@ -22,6 +22,11 @@ class LessonController : public QObject {
   const std::optional<LessonProgress>& progress() const { return progress_; }
   // The quantity that the step asks for, at the present probe; none while there is no probe.
   std::optional<double> measurement() const;
+  // The reference at the present probe, none while there is no probe.
+  std::optional<double> reference() const;
+  // The text of the step with its numbers, as far as they are measured and may be told: before the
+  // prediction only what describes the region.
+  QString filledIn(const std::string& text) const;
   // Explains the measurement in one sentence; "" where nothing explains it.
   QString cause() const;
 

@@ -56,6 +56,7 @@ LessonPane::LessonPane(LessonController& lessons, QWidget* parent)
   body()->addWidget(makeNavigation());
   setMinimumWidth(240);
   connect(&lessons_, &LessonController::changed, this, &LessonPane::refresh);
+  connect(&lessons_, &LessonController::measured, this, &LessonPane::refreshTexts);
   connect(question_, &LessonQuestionPane::answered, this, [this] {
     QMetaObject::invokeMethod(
         this, [this] { scroll_->ensureWidgetVisible(question_, 0, 0); }, Qt::QueuedConnection);
@@ -112,14 +113,21 @@ QWidget* LessonPane::makeNavigation() {
   return row;
 }
 
+// Their numbers are those of the probe.
+void LessonPane::refreshTexts() {
+  const auto& progress = lessons_.progress();
+  if (!progress) return;
+  text_->setText(lessons_.filledIn(progress->current().text));
+  look_->setText(tr("**Look at** ") + lessons_.filledIn(progress->current().look));
+}
+
 void LessonPane::refresh() {
   const auto& progress = lessons_.progress();
   if (!progress) return shown_.clear();
   const LessonStep& step = progress->current();
   setTitle(style::text(progress->lesson.title));
   step_->setText(style::text(step.title));
-  text_->setText(style::text(step.text));
-  look_->setText(tr("**Look at** ") + style::text(step.look));
+  refreshTexts();
   lookBox_->setVisible(!step.look.empty());
   place_->setText(tr("%1 of %2").arg(progress->step + 1).arg(progress->lesson.steps.size()));
   place_->setToolTip(progress->lesson.after.empty()

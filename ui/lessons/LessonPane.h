@@ -28,6 +28,7 @@ class LessonPane : public Card {
   QWidget* makePage();
   QWidget* makeNavigation();
   void refresh();
+  void refreshTexts();
 
   LessonController& lessons_;
   QLabel *step_, *text_, *look_;

@@ -49,6 +49,21 @@ int decimalsFor(double range) {
   return std::clamp(3 - int(std::floor(std::log10(range) + 0.5)), 0, 6);
 }
 
+// "You said 0.40; it is 0.216 (reference 0). Within 0.02 counts as right."
+QString verdictOf(const LessonQuestion& question, double predicted, double measured,
+                  const std::optional<double>& reference) {
+  const int decimals = decimalsFor(question.high - question.low);
+  const auto figure = [&](double value) { return QString::number(value, 'f', decimals); };
+  const bool right = std::abs(predicted - measured) <= question.tolerance;
+  QString text = right ? LessonQuestionPane::tr("Right: you said %1, it is %2")
+                       : LessonQuestionPane::tr("You said %1; it is %2");
+  text = text.arg(figure(predicted), figure(measured));
+  if (question.asked.quantity == Quantity::Visibility && reference)
+    text += LessonQuestionPane::tr(" (reference %1)").arg(style::figure(*reference));
+  return text + LessonQuestionPane::tr(". Within %1 counts as right.")
+                    .arg(style::figure(question.tolerance));
+}
+
 }  // namespace
 
 LessonQuestionPane::LessonQuestionPane(LessonController& lessons, QWidget* parent)
@@ -74,6 +89,7 @@ LessonQuestionPane::LessonQuestionPane(LessonController& lessons, QWidget* paren
   layout->addWidget(text_);
   layout->addWidget(entry_ = makeEntry());
   layout->addWidget(answer_ = makeAnswer());
+  connect(&lessons_, &LessonController::measured, this, &LessonQuestionPane::refreshText);
   connect(&lessons_, &LessonController::measured, this, &LessonQuestionPane::refreshAnswer);
 }
 
@@ -85,6 +101,7 @@ QWidget* LessonQuestionPane::makeEntry() {
   slider_->setObjectName("predictionSlider");
   field_->setObjectName("predictionField");
   field_->setKeyboardTracking(true);
+  field_->setSpecialValueText(QStringLiteral("?"));
   button_->setObjectName("predictionButton");
   grid->addWidget(caption(tr("I predict")), 0, 0, 1, 2);
   grid->addWidget(slider_, 1, 0);
@@ -93,12 +110,13 @@ QWidget* LessonQuestionPane::makeEntry() {
   grid->setColumnStretch(0, 1);
   connect(slider_, &QSlider::valueChanged, this, [this](int steps) {
     const QSignalBlocker quiet(field_);
-    field_->setValue(std::lerp(field_->minimum(), field_->maximum(), double(steps) / sliderSteps));
+    field_->setValue(std::lerp(low_, high_, double(steps) / sliderSteps));
+    button_->setEnabled(true);
   });
   connect(field_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double value) {
     const QSignalBlocker quiet(slider_);
-    const double share = (value - field_->minimum()) / (field_->maximum() - field_->minimum());
-    slider_->setValue(int(std::lround(share * sliderSteps)));
+    slider_->setValue(int(std::lround((value - low_) / (high_ - low_) * sliderSteps)));
+    button_->setEnabled(value >= low_);
   });
   connect(button_, &QPushButton::clicked, this, &LessonQuestionPane::predict);
   for (const int key : {Qt::Key_Return, Qt::Key_Enter}) {
@@ -120,7 +138,7 @@ QWidget* LessonQuestionPane::makeAnswer() {
   grid->addWidget(measured_, 1, 1);
   grid->addWidget(quantity_, 2, 1);
   grid->addWidget(verdict_, 3, 0, 1, 2);
-  grid->addWidget(caption(tr("Cause")), 4, 0, 1, 2);
+  grid->addWidget(caption(tr("What the technique made of it")), 4, 0, 1, 2);
   grid->addWidget(cause_, 5, 0, 1, 2);
   grid->addWidget(explanation_, 6, 0, 1, 2);
   grid->setColumnStretch(0, 1);
@@ -141,16 +159,25 @@ void LessonQuestionPane::refresh() {
   setVisible(progress && progress->current().question);
   if (!progress || !progress->current().question) return;
   const LessonQuestion& question = *progress->current().question;
-  text_->setText(tr("**Predict first.** ") + style::text(question.text));
+  refreshText();
   const double range = question.high - question.low;
   field_->setDecimals(decimalsFor(range));
-  field_->setRange(question.low, question.high);
+  low_ = question.low;
+  high_ = question.high;
+  // Nothing is predicted yet: whatever stood there would be an answer.
+  field_->setRange(low_ - range / 100.0, high_);
   field_->setSingleStep(range / 100.0);
-  // The middle of the range gives nothing away.
-  if (progress->veiled()) field_->setValue((question.low + question.high) / 2.0);
+  if (progress->veiled()) field_->setValue(field_->minimum());
+  button_->setEnabled(field_->value() >= low_);
   entry_->setVisible(progress->veiled());
   answer_->setVisible(!progress->veiled());
   refreshAnswer();
+}
+
+void LessonQuestionPane::refreshText() {
+  const auto& progress = lessons_.progress();
+  if (!progress || !progress->current().question) return;
+  text_->setText(tr("**Predict first.** ") + lessons_.filledIn(progress->current().question->text));
 }
 
 void LessonQuestionPane::refreshAnswer() {
@@ -167,13 +194,9 @@ void LessonQuestionPane::refreshAnswer() {
   const QString cause = lessons_.cause();
   cause_->setText(cause);
   cause_->setVisible(!cause.isEmpty());
-  explanation_->setText(style::text(question.explanation));
+  explanation_->setText(lessons_.filledIn(question.explanation));
   if (!measured) return verdict_->clear();
-  const double off = std::abs(predicted - *measured);
-  verdict_->setText(
-      off <= question.tolerance
-          ? tr("They agree: off by %1.").arg(figure(off))
-          : tr("Off by %1: more than %2.").arg(figure(off), figure(question.tolerance)));
+  verdict_->setText(verdictOf(question, predicted, *measured, lessons_.reference()));
 }
 
 void LessonQuestionPane::awaitPrediction() {
@@ -184,6 +207,7 @@ void LessonQuestionPane::awaitPrediction() {
 void LessonQuestionPane::predict() {
   if (!lessons_.progress() || !lessons_.progress()->veiled()) return;
   field_->interpretText();
+  if (field_->value() < low_) return;  // there is no prediction yet
   lessons_.predict(field_->value());
   emit answered();
 }

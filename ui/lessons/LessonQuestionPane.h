@@ -36,10 +36,12 @@ class LessonQuestionPane : public QFrame {
  private:
   QWidget* makeEntry();
   QWidget* makeAnswer();
+  void refreshText();
   void refreshAnswer();
   void predict();
 
   LessonController& lessons_;
+  double low_ = 0.0, high_ = 1.0;  // of a prediction
   QLabel* text_;
   QWidget *entry_, *answer_;
   QSlider* slider_;
