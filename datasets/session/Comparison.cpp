@@ -10,9 +10,9 @@
 namespace umbra {
 namespace {
 
-constexpr std::array<std::string_view, 3> names{"single", "wipe", "grid"};
+constexpr std::array<std::string_view, 3> modeNames{"single", "wipe", "grid"};
 // What the best known techniques make of the same picture.
-constexpr std::array usual{"vsm", "lvsm", "evsm4", "msm"};
+constexpr std::array usualTechniques{"vsm", "lvsm", "evsm4", "msm"};
 
 // The place of a linked pane of that technique, not `but`; the end where there is none.
 std::size_t findLinked(const std::vector<Pane>& panes, std::string_view id, std::size_t but) {
@@ -39,12 +39,12 @@ void exchangeTechnique(Session& session, std::size_t pane, const std::string& id
 }  // namespace
 
 std::string_view nameOf(ComparisonMode mode) {
-  return names[std::size_t(mode)];
+  return modeNames[std::size_t(mode)];
 }
 
 ComparisonMode comparisonModeFrom(std::string_view name, std::string_view where) {
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (names[i] == name) return ComparisonMode(i);
+  for (std::size_t i = 0; i < modeNames.size(); ++i)
+    if (modeNames[i] == name) return ComparisonMode(i);
   throw Error(ErrorKind::BadCommandLine, std::string(where) + ": '" + std::string(name) +
                                              "' is not right, it takes single, wipe or grid");
 }
@@ -59,7 +59,7 @@ Comparison comparisonOf(const Session& session) {
   Comparison comparison = session.comparison;
   std::vector<Pane>& panes = comparison.panes;
   std::size_t& active = comparison.active;
-  if (panes.empty()) panes = linkedPanes({usual.begin(), usual.end()});
+  if (panes.empty()) panes = linkedPanes({usualTechniques.begin(), usualTechniques.end()});
   if (active >= panes.size()) active = 0;
   if (panes[active].technique != session.technique) {  // chosen while nothing was compared
     const std::size_t place = findLinked(panes, session.technique, active);
@@ -158,7 +158,7 @@ void setPaneCount(Session& session, std::size_t count, const std::vector<std::st
       if (panes.size() < count && findLinked(panes, id, panes.size()) == panes.size())
         panes.push_back({std::string(id), {}});
   };
-  addFrom(usual);
+  addFrom(usualTechniques);
   addFrom(known);
 }
 

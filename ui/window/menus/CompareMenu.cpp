@@ -10,14 +10,15 @@
 namespace umbra {
 namespace {
 
-struct Mode {
+struct ComparisonEntry {
   ComparisonMode mode;
   const char* text;
   const char* key;
 };
-constexpr Mode comparisonModes[] = {{ComparisonMode::Single, "&One picture", "F8"},
-                                    {ComparisonMode::Wipe, "&Wipe over two techniques", "F9"},
-                                    {ComparisonMode::Grid, "&Panes side by side", "F11"}};
+constexpr ComparisonEntry comparisonModes[] = {
+    {ComparisonMode::Single, "&One picture", "F8"},
+    {ComparisonMode::Wipe, "&Wipe over two techniques", "F9"},
+    {ComparisonMode::Grid, "&Panes side by side", "F11"}};
 constexpr double wipeStep = 0.05;  // of the picture's width
 
 }  // namespace
@@ -37,7 +38,7 @@ CompareMenu::CompareMenu(SessionController& controller, QWidget* parent)
 }
 
 void CompareMenu::addModes() {
-  for (const Mode& mode : comparisonModes) {
+  for (const ComparisonEntry& mode : comparisonModes) {
     QAction* action = umbra::addAction(*this, tr(mode.text), QKeySequence(mode.key), [this, mode] {
       controller_.edit(tr("Compare techniques"),
                        [&](Session& session) { setMode(session, mode.mode); });
