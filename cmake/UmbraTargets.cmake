@@ -13,7 +13,7 @@ target_link_options(umbra_options INTERFACE
 
 # Compiles headers that nearly every source of a target includes once, instead of once a source:
 # the standard library's and Eigen's, and those given. Sources still include what they use;
-# `-DUMBRA_PRECOMPILE=OFF` proves it.
+# `-DUMBRA_PRECOMPILE=OFF -DUMBRA_UNITY=OFF` proves it.
 function(umbra_precompile target)
   if(UMBRA_PRECOMPILE)
     target_precompile_headers(${target} PRIVATE
@@ -26,6 +26,13 @@ function(umbra_precompile target)
   endif()
 endfunction()
 
+# Compiles a target's sources eight at a time, where that is asked for: they share the headers of the
+# library and of VTK, which take most of the time. Sources given stay alone.
+function(umbra_unity target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${UMBRA_UNITY} UNITY_BUILD_BATCH_SIZE 8)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
 # One object library per layer. Its sources are every .cpp of the calling folder and its rooms, but the tests
 # (*Test.cpp), so that adding a file edits no list.
 function(umbra_layer name)
@@ -34,6 +41,7 @@ function(umbra_layer name)
   add_library(${name} OBJECT ${sources})
   target_link_libraries(${name} PUBLIC umbra_options ${ARGN})
   umbra_precompile(${name})
+  umbra_unity(${name})
 endfunction()
 
 # What every test program shares, with the headers that most of its sources include. A test spends
@@ -42,6 +50,7 @@ function(umbra_test_program name)
   target_link_libraries(${name} PRIVATE umbra_options)
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   umbra_precompile(${name} ${ARGN})
+  umbra_unity(${name})
 endfunction()
 
 # Every *Test.cpp of the calling folder and those below, as one GoogleTest program whose cases CTest lists. Nothing
