@@ -43,7 +43,7 @@ install_missing() {
 # configure [CMAKE ARGUMENT...]: release build, without tests unless the arguments say so; ccache
 # and the mold linker where present.
 configure() {
-  local options=(-DUMBRA_TESTS=OFF)
+  local options=(-DUMBRA_TESTS=OFF -DUMBRA_UNITY=ON)
   command -v ccache >/dev/null && options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
   command -v mold >/dev/null && options+=(-DCMAKE_EXE_LINKER_FLAGS=-fuse-ld=mold
     -DCMAKE_SHARED_LINKER_FLAGS=-fuse-ld=mold -DCMAKE_MODULE_LINKER_FLAGS=-fuse-ld=mold)

@@ -7,7 +7,7 @@ namespace umbra {
 namespace {
 
 constexpr int reach = 6;  // pixels on either side of a spot's middle
-constexpr int side = 2 * reach + 1;
+constexpr int spotSide = 2 * reach + 1;
 constexpr double plainBleeding = 0.05;   // mean error of a spot that anybody sees at once
 constexpr double umbraReference = 0.02;  // mean reference of a spot that is fully in shadow
 constexpr double smoothBend = 5e-4;      // mean second difference of z_r over a spot on one surface
@@ -23,9 +23,9 @@ class SpotMeans {
   }
   double about(int x, int y) const {
     const int left = x - reach, top = y - reach;
-    return (sums_(left + side, top + side) - sums_(left, top + side) - sums_(left + side, top) +
-            sums_(left, top)) /
-           (side * side);
+    return (sums_(left + spotSide, top + spotSide) - sums_(left, top + spotSide) -
+            sums_(left + spotSide, top) + sums_(left, top)) /
+           (spotSide * spotSide);
   }
 
  private:

@@ -8,12 +8,12 @@
 namespace umbra {
 namespace {
 
-constexpr int width = 40, height = 24;
+constexpr int evenWidth = 40, evenHeight = 24;
 
 // A frame whose pixels read a map evenly, at one depth; every fifth column is turned away from the
 // light.
-struct Frame {
-  explicit Frame(const char* id, double reduction = 0.0) {
+struct EvenFrame {
+  explicit EvenFrame(const char* id, double reduction = 0.0) {
     const std::unique_ptr<Technique> made = allTechniques().make(id);
     if (reduction > 0.0)
       parameterNamed(made->parameters(), "bleed-reduction", id).set(reduction, id);
@@ -23,11 +23,12 @@ struct Frame {
     drawn.settings.map.format = StorageFormat::Half;
     drawn.maps = {map};
     drawn.cascades.resize(1);
-    drawn.surfaces = SurfaceImage(width, height);
-    reference = Image<float>(width, height);
-    for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x) {
-        SurfacePoint surface{.u = float(x) / width, .v = float(y) / height, .receiver = 0.62F};
+    drawn.surfaces = SurfaceImage(evenWidth, evenHeight);
+    reference = Image<float>(evenWidth, evenHeight);
+    for (int y = 0; y < evenHeight; ++y)
+      for (int x = 0; x < evenWidth; ++x) {
+        SurfacePoint surface{
+            .u = float(x) / evenWidth, .v = float(y) / evenHeight, .receiver = 0.62F};
         surface.facesLight = x % 5 != 0;
         drawn.surfaces.set(x, y, surface);
         ProbeRequest request = requestAt(drawn, x, y);
@@ -50,12 +51,12 @@ struct Frame {
 };
 
 TEST(FrameReads, APixelReadsWhatTheSettingsSay) {
-  const Frame frame("vsm");
+  const EvenFrame frame("vsm");
   const ProbeRequest request = requestAt(frame.drawn, 7, 9);
   EXPECT_EQ(&request.map, frame.map.get());
   EXPECT_EQ(request.read.filter, ReadFilter::Bilinear);
-  EXPECT_EQ(request.read.u, double(7.0F / width));
-  EXPECT_EQ(request.read.v, double(9.0F / height));
+  EXPECT_EQ(request.read.u, double(7.0F / evenWidth));
+  EXPECT_EQ(request.read.v, double(9.0F / evenHeight));
   EXPECT_EQ(request.kernel, frame.drawn.settings.kernel);
   EXPECT_EQ(request.format, StorageFormat::Half);
   EXPECT_EQ(request.receiver, double(0.62F));
@@ -65,12 +66,12 @@ TEST(FrameReads, APixelReadsWhatTheSettingsSay) {
 }
 
 TEST(FrameReads, FootprintsAndCascadesAreThePixelsOwn) {
-  Frame frame("vsm");
+  EvenFrame frame("vsm");
   frame.drawn.settings.read.filter = ReadFilter::Anisotropic;
   frame.drawn.maps = {frame.map, frame.next};
   frame.drawn.cascades.resize(2);
   frame.drawn.cascades[1].side = 0.5;
-  frame.drawn.surfaces = SurfaceImage(width, height, true);
+  frame.drawn.surfaces = SurfaceImage(evenWidth, evenHeight, true);
   SurfacePoint inSeam{.u = 0.1, .v = 0.2, .receiver = 0.62}, inNext = inSeam;
   inSeam.footprint = {6.0, 2.0, 3};
   inSeam.nextCascade = 0.25;
@@ -93,7 +94,7 @@ TEST(FrameReads, FootprintsAndCascadesAreThePixelsOwn) {
 }
 
 TEST(FrameReads, TapsAreCountedOnAGrid) {
-  const Frame frame("vsm");
+  const EvenFrame frame("vsm");
   // Pixels (0 | 16 | 32, 0 | 16) read positions half-way between texels or nearer to one: at
   // u = 0, v = 0 the taps left of the map repeat its edge and count as well.
   double expected = 0.0;
@@ -113,11 +114,11 @@ TEST(FrameReads, AGridReadsNoMoreThanIsAllowed) {
 }
 
 TEST(FrameDecomposition, TakesEveryPixelAsOneTakesIt) {
-  const Frame frame("vsm", 0.2);
+  const EvenFrame frame("vsm", 0.2);
   const ErrorDecomposition taken = frame.taken();
   const auto techniques = decompositionTechniques(frame.technique);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
+  for (int y = 0; y < evenHeight; ++y)
+    for (int x = 0; x < evenWidth; ++x) {
       ASSERT_EQ(taken.receives(x, y), x % 5 == 0 ? 0 : 1);
       if (!taken.receives(x, y)) continue;
       const double v = frame.drawn.surfaces.visibility(x, y), truth = frame.reference(x, y);
@@ -132,12 +133,12 @@ TEST(FrameDecomposition, TakesEveryPixelAsOneTakesIt) {
 }
 
 TEST(FrameDecomposition, AGridHasTheSamePixelsOrNone) {
-  const Frame frame("vsm");
+  const EvenFrame frame("vsm");
   const ErrorDecomposition every = frame.taken(), third = frame.taken(3);
   EXPECT_EQ(third.stride, 3);
   std::size_t pixels = 0;
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
+  for (int y = 0; y < evenHeight; ++y)
+    for (int x = 0; x < evenWidth; ++x) {
       const bool onGrid = x % 3 == 0 && y % 3 == 0;
       EXPECT_EQ(third.receives(x, y), onGrid ? every.receives(x, y) : 0);
       pixels += onGrid && every.receives(x, y);
@@ -150,12 +151,12 @@ TEST(FrameDecomposition, AGridHasTheSamePixelsOrNone) {
 }
 
 TEST(FrameDecomposition, TheReferenceIsThatOfEveryPixelsProbe) {
-  const Frame frame("vsm");
+  const EvenFrame frame("vsm");
   const auto quiet = [](double) {};
   const Image<float> every = referenceOf(frame.drawn, 1, quiet);
   const Image<float> third = referenceOf(frame.drawn, 3, quiet);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
+  for (int y = 0; y < evenHeight; ++y)
+    for (int x = 0; x < evenWidth; ++x) {
       const bool receives = x % 5 != 0, onGrid = x % 3 == 0 && y % 3 == 0;
       EXPECT_EQ(every(x, y), receives ? frame.reference(x, y) : 1.0F) << x << "," << y;
       EXPECT_EQ(third(x, y), onGrid ? every(x, y) : 1.0F) << x << "," << y;
@@ -163,7 +164,7 @@ TEST(FrameDecomposition, TheReferenceIsThatOfEveryPixelsProbe) {
 }
 
 TEST(FrameDecomposition, ItsGridIsAsWideAsTheTapsAsk) {
-  const Frame frame("vsm");
+  const EvenFrame frame("vsm");
   const auto receives = [&](int x, int y) { return frame.drawn.surfaces.receivesShadow(x, y); };
   const auto taken = [&](int x, int y) {
     return receives(x, y) && worthDecomposing(frame.drawn.surfaces.visibility(x, y),
@@ -179,7 +180,7 @@ TEST(FrameDecomposition, ItsGridIsAsWideAsTheTapsAsk) {
 }
 
 TEST(FrameDecomposition, TellsHowFarItIsAndCanBeStopped) {
-  const Frame frame("vsm");
+  const EvenFrame frame("vsm");
   double last = -1.0;
   decomposeFrame(frame.drawn, frame.reference, frame.technique, {}, 1, [&](double done) {
     EXPECT_GT(done, last);

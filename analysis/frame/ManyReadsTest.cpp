@@ -13,7 +13,7 @@ namespace {
 // 7 × 7 taps, mixed four times, are at most 250 roundings of values up to 1. VSM answers to them
 // most: its bound V/(V + D²) moves by (|dV| + 2|dM|)/V, with V at least its smallest variance of
 // 1e-6, and |dV| at most three times |dM|.
-constexpr double tolerance = 250 * 1.2e-16 * 5 / 1e-6;
+constexpr double manyReadsTolerance = 250 * 1.2e-16 * 5 / 1e-6;
 
 std::vector<MapRead> someReads(int count) {
   std::mt19937 random(3);
@@ -40,7 +40,7 @@ void expectAsProbed(const DepthMap& map, ReadFilter filter, std::string_view id)
                                    .techniques = {technique}});
     ASSERT_EQ(probe.techniques.size(), 1u);
     const double v = probe.techniques[0].visibility;
-    ASSERT_NEAR(found[i].visibility, v, tolerance) << reads[i].u << "," << reads[i].v;
+    ASSERT_NEAR(found[i].visibility, v, manyReadsTolerance) << reads[i].u << "," << reads[i].v;
     // Where all taps agree it is exact; else their weights are added up in the same order.
     ASSERT_NEAR(found[i].reference, probe.reference, 64 * 1.2e-16);
   }

@@ -7,11 +7,7 @@
 #include "filters/core/support/Text.h"
 
 namespace umbra {
-namespace {
-
-constexpr std::string_view chebyshevColour = "#2563c9";
-
-}  // namespace
+namespace {}  // namespace
 
 double chebyshevBound(double mean, double variance, double receiver) {
   if (receiver <= mean) return 1.0;

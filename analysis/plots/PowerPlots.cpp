@@ -11,8 +11,6 @@
 namespace umbra {
 namespace {
 
-constexpr std::string_view powerColour = "#7b4fa3";
-
 std::string betaText(double beta) {
   return std::isinf(beta) ? "∞" : shortNumber(beta);
 }

@@ -15,8 +15,6 @@ namespace {
 
 constexpr std::string_view meanColour = "#52606d";
 constexpr std::string_view extremeColour = "#9aa5b1";
-constexpr std::string_view powerColour = "#7b4fa3";      // Gumbau's fit
-constexpr std::string_view chebyshevColour = "#2563c9";  // Lauritzen's bound
 
 std::string counted(std::size_t count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");

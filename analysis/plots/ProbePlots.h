@@ -13,6 +13,8 @@ inline constexpr std::string_view probeColour = "#f59e0b";      // the probe and
 inline constexpr std::string_view errorColour = "#d1344b";      // error, and nothing else
 inline constexpr std::string_view referenceColour = "#1f2933";  // exact percentage-closer filtering
 inline constexpr std::string_view depthColour = "#3f6fb5";      // depths of the region
+inline constexpr std::string_view powerColour = "#7b4fa3";      // Gumbau's fit
+inline constexpr std::string_view chebyshevColour = "#2563c9";  // Lauritzen's bound
 
 // Shows depths of the region as bars; receiver, mean, min and max are marked.
 Plot histogramPlot(const Probe& probe, int bins = 60);

@@ -9,7 +9,7 @@
 namespace umbra {
 namespace {
 
-Probe probeOf(const DepthMap& map, double receiver) {
+Probe explained(const DepthMap& map, double receiver) {
   return takeProbe({.map = map,
                     .read = ReadPoint::atTexel(map, 4, 4),
                     .kernel = {KernelShape::Box, 2},
@@ -19,7 +19,7 @@ Probe probeOf(const DepthMap& map, double receiver) {
 
 TEST(Explain, EndsInTheVisibilityOfTheProbeAndOfTheCurve) {
   const DepthMap map = randomMap(9, 9, 5);
-  const Probe probe = probeOf(map, 0.5);
+  const Probe probe = explained(map, 0.5);
   const Curves curves = curvesOf(probe, 3);  // at 0, ½ and 1
   for (std::size_t i = 0; i < probe.techniques.size(); ++i) {
     const Trace trace = explain(probe, probe.techniques[i]);
@@ -30,7 +30,7 @@ TEST(Explain, EndsInTheVisibilityOfTheProbeAndOfTheCurve) {
 
 TEST(Explain, TheTextHasTheSentenceAndALineForEveryStep) {
   const DepthMap map = randomMap(9, 9, 5);
-  const Probe probe = probeOf(map, 0.9);
+  const Probe probe = explained(map, 0.9);
   for (const TechniqueResult& result : probe.techniques) {
     const Trace trace = explain(probe, result);
     const std::string text = traceText(trace);

@@ -59,7 +59,7 @@ DepthMap anyMap(int size) {
   return DepthMap(size, size, 1, 0.5);
 }
 
-double half(LightKind kind) {
+double halfReach(LightKind kind) {
   return kind == LightKind::Spot ? 1.5 : 4.0;
 }
 
@@ -187,7 +187,7 @@ TEST(RayTracedVisibility, FewerRaysForMoreTexels) {
 class CasterRaysOf : public testing::TestWithParam<LightKind> {};
 
 TEST_P(CasterRaysOf, DepthIsThatOfThePlane) {
-  const double reach = half(GetParam());
+  const double reach = halfReach(GetParam());
   const Scene scene = sceneOf({plate({0, 0, 0}, 5, 5)});
   const LightFrame frame = fitLightFrame(lightAbove(GetParam()), scene.bounds());
   const CasterRays casters(scene, false);
@@ -219,7 +219,7 @@ TEST_P(CasterRaysOf, NoneSlipsBetweenTriangles) {
   const LightFrame frame = fitLightFrame(lightAbove(GetParam()), scene.bounds());
   const CasterRays casters(scene, false);
   const LightRays rays = casters.raysOf(frame);
-  const double reach = half(GetParam());
+  const double reach = halfReach(GetParam());
   int tried = 0;
   const auto expectHit = [&](const Vector3d& world) {
     if (std::abs(world.x()) > reach || std::abs(world.z()) > reach) return;

@@ -7,35 +7,35 @@ namespace {
 
 using Eigen::Vector3d;
 
-const Eigen::AlignedBox3d room(Vector3d(-2, -1, -2), Vector3d(2, 3, 2));
-const Vector3d point(0.3, 0.0, -0.2);
-const SurfaceSpot ground{point, Vector3d::UnitY(), 0, false};
+const Eigen::AlignedBox3d pointRoom(Vector3d(-2, -1, -2), Vector3d(2, 3, 2));
+const Vector3d pinned(0.3, 0.0, -0.2);
+const SurfaceSpot pinnedSpot{pinned, Vector3d::UnitY(), 0, false};
 
-struct Frame {
-  Frame() {
+struct PointFrame {
+  PointFrame() {
     Light sun;
     sun.kind = LightKind::Directional;
     sun.position = {1, 9, 2};
-    light = fitLightFrame(sun, room);
+    light = fitLightFrame(sun, pointRoom);
     picture.camera.position = {0.5, 6.0, 5.0};
-    picture.camera.target = point;
+    picture.camera.target = pinned;
     settings.map.size = 512;
-    cascades = fitCascades(light, picture.camera, 641.0 / 481.0, room, settings.map);
+    cascades = fitCascades(light, picture.camera, 641.0 / 481.0, pointRoom, settings.map);
   }
 
   // In the point's pixel the picture shows `shown`, at this place in the world.
   std::optional<SeenPoint> seen(const Vector3d& world) const {
     SurfacePoint surface = shown;
     surface.world = world;
-    return seenPoint(point, ground, picture, [&](int x, int y) {
+    return seenPoint(pinned, pinnedSpot, picture, [&](int x, int y) {
       EXPECT_EQ(x, 320);
       EXPECT_EQ(y, 240);
       return std::optional(surface);
     });
   }
   std::variant<PointRead, NotRead> read(const std::optional<SeenPoint>& seen) const {
-    return readOfPoint(point, ground, {picture, light, cascades, settings, room.diagonal().norm()},
-                       seen);
+    return readOfPoint(pinned, pinnedSpot,
+                       {picture, light, cascades, settings, pointRoom.diagonal().norm()}, seen);
   }
 
   PictureView picture{{}, 641, 481};  // the point is in the middle of a pixel
@@ -46,8 +46,8 @@ struct Frame {
 };
 
 TEST(PointRead, ThePixelThatShowsTheVeryPointIsRead) {
-  const Frame frame;
-  const auto seen = frame.seen(point);
+  const PointFrame frame;
+  const auto seen = frame.seen(pinned);
   ASSERT_TRUE(seen);
   EXPECT_TRUE(seen->isPoint);
   const auto read = std::get<PointRead>(frame.read(seen));
@@ -58,21 +58,21 @@ TEST(PointRead, ThePixelThatShowsTheVeryPointIsRead) {
 }
 
 TEST(PointRead, BesideTheMiddleOfAPixelThePointItselfIsRead) {
-  const Frame frame;
-  const auto seen = frame.seen(point + Vector3d(0.003, 0.0, 0.0));  // a third of a pixel
+  const PointFrame frame;
+  const auto seen = frame.seen(pinned + Vector3d(0.003, 0.0, 0.0));  // a third of a pixel
   ASSERT_TRUE(seen);
   EXPECT_FALSE(seen->isPoint);
   const auto read = std::get<PointRead>(frame.read(seen));
   EXPECT_FALSE(read.asShown);
   EXPECT_TRUE(read.seen) << "in sight all the same";
-  EXPECT_EQ(read.surface.world, point);
-  EXPECT_NEAR(read.surface.u, frame.light.project(point).u, 1e-12);
+  EXPECT_EQ(read.surface.world, pinned);
+  EXPECT_NEAR(read.surface.u, frame.light.project(pinned).u, 1e-12);
 }
 
 TEST(PointRead, BehindSomethingThePointIsHiddenAndRead) {
-  const Frame frame;
-  const Vector3d way = (frame.picture.camera.position - point).normalized();
-  const auto seen = frame.seen(point + way);
+  const PointFrame frame;
+  const Vector3d way = (frame.picture.camera.position - pinned).normalized();
+  const auto seen = frame.seen(pinned + way);
   EXPECT_FALSE(seen);
   const auto read = std::get<PointRead>(frame.read(seen));
   EXPECT_FALSE(read.seen);
@@ -80,19 +80,20 @@ TEST(PointRead, BehindSomethingThePointIsHiddenAndRead) {
 }
 
 TEST(PointRead, OutOfThePictureNothingIsAskedOfIt) {
-  Frame frame;
-  frame.picture.camera.target = 2.0 * frame.picture.camera.position - point;  // looks away
-  EXPECT_FALSE(seenPoint(point, ground, frame.picture, [](int, int) -> std::optional<SurfacePoint> {
-    ADD_FAILURE() << "there is no pixel";
-    return std::nullopt;
-  }));
+  PointFrame frame;
+  frame.picture.camera.target = 2.0 * frame.picture.camera.position - pinned;  // looks away
+  EXPECT_FALSE(
+      seenPoint(pinned, pinnedSpot, frame.picture, [](int, int) -> std::optional<SurfacePoint> {
+        ADD_FAILURE() << "there is no pixel";
+        return std::nullopt;
+      }));
 }
 
 // A point on the map's edge: the pixel beside it may show what is just outside.
 TEST(PointRead, APixelOutsideTheMapIsInSightButNotRead) {
-  Frame frame;
+  PointFrame frame;
   frame.shown.v = 1.5;
-  const auto seen = frame.seen(point);
+  const auto seen = frame.seen(pinned);
   ASSERT_TRUE(seen);
   EXPECT_FALSE(seen->isPoint);
   const auto read = std::get<PointRead>(frame.read(seen));
@@ -101,9 +102,9 @@ TEST(PointRead, APixelOutsideTheMapIsInSightButNotRead) {
 }
 
 TEST(PointRead, SaysWhyAPointIsNotRead) {
-  Frame frame;
+  PointFrame frame;
   EXPECT_EQ(std::get<NotRead>(readOfPoint(
-                point, std::nullopt,
+                pinned, std::nullopt,
                 {frame.picture, frame.light, frame.cascades, frame.settings, 1.0}, std::nullopt)),
             NotRead::NoSurface);
   const Vector3d far(900.0, 0.0, 0.0);
@@ -112,7 +113,7 @@ TEST(PointRead, SaysWhyAPointIsNotRead) {
                 {frame.picture, frame.light, frame.cascades, frame.settings, 1.0}, std::nullopt)),
             NotRead::OutsideMap);
   frame.settings.read.filter = ReadFilter::Anisotropic;
-  frame.picture.camera.target = 2.0 * frame.picture.camera.position - point;
+  frame.picture.camera.target = 2.0 * frame.picture.camera.position - pinned;
   EXPECT_EQ(std::get<NotRead>(frame.read(std::nullopt)), NotRead::NotInSight);
 }
 

@@ -16,8 +16,8 @@ using Eigen::Vector3d;
 using Eigen::Vector3f;
 
 constexpr int mapSize = 32;
-constexpr double half = 2.02;  // of the map's width, world units: fitLightFrame adds 1 %
-constexpr double texel = 2.0 * half / mapSize;
+constexpr double halfMap = 2.02;  // of the map's width, world units: fitLightFrame adds 1 %
+constexpr double texelWidth = 2.0 * halfMap / mapSize;
 
 // The front is up, or down.
 Mesh square(double side, float height, bool up = true) {
@@ -64,22 +64,22 @@ const std::vector<float>& fieldOf(const std::vector<MeshField>& fields, const ch
 // point reads every face lies in one texel: areas are exact but for positions being floats.
 TEST(SurfaceErrors, AnUmbraHasTheAreaOfItsTexels) {
   HandDrawn drawn;
-  drawn.add("ground", square(half, 0.0f));
+  drawn.add("ground", square(halfMap, 0.0f));
   drawn.settings.kernel = {KernelShape::None, 0};
   drawn.settings.read.filter = ReadFilter::Point;
   for (int y = 10; y < 14; ++y)
     for (int x = 8; x < 20; ++x) drawn.map(x, y) = 0.3;
   for (const char* id : {"pcf", "hard", "vsm"}) {
     const SurfaceSums all = drawn.errors(id).summary.all;
-    EXPECT_NEAR(all.area, 4 * half * half, 1e-5);
-    EXPECT_NEAR(all.shadowedArea, 12 * 4 * texel * texel, 1e-5);
+    EXPECT_NEAR(all.area, 4 * halfMap * halfMap, 1e-5);
+    EXPECT_NEAR(all.shadowedArea, 12 * 4 * texelWidth * texelWidth, 1e-5);
     EXPECT_EQ(all.faces, std::size_t(2 * mapSize * mapSize));
   }
 }
 
 TEST(SurfaceErrors, PercentageCloserFilteringHasNone) {
   HandDrawn drawn;
-  drawn.add("ground", square(half, 0.0f));
+  drawn.add("ground", square(halfMap, 0.0f));
   for (int y = 10; y < 20; ++y)
     for (int x = 8; x < 20; ++x) drawn.map(x, y) = 0.01 * x + 0.02 * y;
   const SurfaceErrors errors = drawn.errors("pcf");
@@ -102,7 +102,7 @@ class ThreePlanes : public testing::Test {
     for (int y = 0; y < mapSize; ++y)
       for (int x = 0; x < mapSize; ++x) drawn.map(x, y) = x < mapSize / 2 ? 0.12 : 0.74;
     drawn.settings.kernel = {KernelShape::Box, 3};
-    drawn.add("C", square(half, 0.0f));
+    drawn.add("C", square(halfMap, 0.0f));
   }
 
   double closedForm(const Vector3d& world) const {
@@ -160,13 +160,13 @@ TEST_F(ThreePlanes, TheBleedingAreaIsThatOfTheClosedForm) {
   constexpr int steps = 1000;   // of each texel
   double width = 0.0;           // width of the strip, texels
   for (int i = 0; i < steps * mapSize; ++i) {
-    const double x = -half + texel * (i + 0.5) / steps;
+    const double x = -halfMap + texelWidth * (i + 0.5) / steps;
     width += closedForm({x, 0.0, 0.0}) >= visibleError ? 1.0 / steps : 0.0;
   }
   EXPECT_GT(width, 4.0);
   EXPECT_LT(width, 7.0);  // the box holds both here
-  const double length = 2.0 * half, tolerance = 2.0 * (edge + 1.0 / steps) * texel * length;
-  const double expected = width * texel * length,
+  const double length = 2.0 * halfMap, tolerance = 2.0 * (edge + 1.0 / steps) * texelWidth * length;
+  const double expected = width * texelWidth * length,
                found = drawn.errors("vsm", edge).summary.all.bleedingArea;
   EXPECT_LT(tolerance, 0.3 * expected);
   EXPECT_NEAR(found, expected, tolerance);
@@ -209,12 +209,12 @@ TEST(SurfaceErrors, OnlyWhatTheLightReachesReceives) {
               0.5 * 2 * std::hypot(1.5, 1.0) + 2 * 0.5 * Vector3d(-3, -1, -1.5).norm(), 1e-5);
   EXPECT_NEAR(objects[1].area, 1.0, 1e-6);
   // Faces across the border count by their points: off by at most the border's faces.
-  EXPECT_NEAR(objects[2].area, 4 * half * half, 4 * 2 * half * 2 * texel);
+  EXPECT_NEAR(objects[2].area, 4 * halfMap * halfMap, 4 * 2 * halfMap * 2 * texelWidth);
   const auto& receives = fieldOf(errors.mesh.vertexFields, "receives");
   const auto& visibility = fieldOf(errors.mesh.vertexFields, "visibility");
   for (std::size_t i = 0; i < receives.size(); ++i) {
     const Vector3f& p = errors.mesh.positions[i];
-    const bool outside = std::max(std::abs(p.x()), std::abs(p.z())) > half + 1e-6;
+    const bool outside = std::max(std::abs(p.x()), std::abs(p.z())) > halfMap + 1e-6;
     if (!outside) continue;
     EXPECT_EQ(receives[i], 0.0f);
     EXPECT_EQ(visibility[i], 1.0f);

@@ -12,8 +12,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-const Eigen::AlignedBox3d room(Vector3d(-2, -1, -2), Vector3d(2, 3, 2));
-const Vector3d point(0.3, 0.4, -0.2);
+const Eigen::AlignedBox3d readRoom(Vector3d(-2, -1, -2), Vector3d(2, 3, 2));
+const Vector3d readPoint(0.3, 0.4, -0.2);
 const Vector3d tilted = Vector3d(0.3, 1.0, -0.2).normalized();
 
 struct Setting {
@@ -21,15 +21,16 @@ struct Setting {
     Light light;
     light.kind = kind;
     light.position = position;
-    frame = fitLightFrame(light, room);
+    frame = fitLightFrame(light, readRoom);
     camera.position = {0.5, 6.0, 5.0};
-    camera.target = point;
+    camera.target = readPoint;
     settings.map.size = 512;
   }
   std::variant<SurfacePoint, Unreadable> read(const Vector3d& normal, bool twoSided = false) {
-    cascades = fitCascades(frame, camera, 4.0 / 3.0, room, settings.map);
-    return readOfSurface({point, normal, 0, twoSided},
-                         {{camera, 640, 480}, frame, cascades, settings, room.diagonal().norm()});
+    cascades = fitCascades(frame, camera, 4.0 / 3.0, readRoom, settings.map);
+    return readOfSurface(
+        {readPoint, normal, 0, twoSided},
+        {{camera, 640, 480}, frame, cascades, settings, readRoom.diagonal().norm()});
   }
 
   LightFrame frame;
@@ -41,11 +42,11 @@ struct Setting {
 // How much the plane's depth changes from texel to texel, along u and v together, by rays through
 // the map half of `step` texels to either side.
 double depthGain(const LightFrame& frame, const Vector3d& normal, int size, double step) {
-  const LightPoint at = frame.project(point);
+  const LightPoint at = frame.project(readPoint);
   const auto depth = [&](double du, double dv) {
     const double u = at.u + du / size, v = at.v + dv / size;
     const Vector3d from = frame.unproject(u, v, 0.0), way = frame.unproject(u, v, 1.0) - from;
-    return frame.project(from + way * (normal.dot(point - from) / normal.dot(way))).z;
+    return frame.project(from + way * (normal.dot(readPoint - from) / normal.dot(way))).z;
   };
   const double half = 0.5 * step;
   return (std::abs(depth(half, 0) - depth(-half, 0)) + std::abs(depth(0, half) - depth(0, -half))) /
@@ -58,7 +59,7 @@ TEST(SurfaceRead, TheReceiverIsLoweredByThePlanesOwnSlope) {
     setting.settings.kernel = {KernelShape::Box, 3};
     setting.settings.bias = {1e-3, 1.5, true, false};
     const auto read = std::get<SurfacePoint>(setting.read(tilted));
-    const LightPoint at = setting.frame.project(point);
+    const LightPoint at = setting.frame.project(readPoint);
     // A bilinear read reaches a texel beyond the kernel. Half the difference over two texels errs
     // by the third derivative, a part of (1/512)² of the gain; over a hundredth by its rounding,
     // 1e-11.
@@ -81,14 +82,14 @@ TEST(SurfaceRead, APlaneSeenEdgeOnIsLoweredByATenth) {
   Setting setting(LightKind::Directional, {0, 9, 1e-3});
   setting.settings.bias = {0.0, 1.0, false, false};
   const auto read = std::get<SurfacePoint>(setting.read(Vector3d::UnitX()));
-  EXPECT_NEAR(read.receiver, setting.frame.project(point).z - 0.1, 1e-12);
+  EXPECT_NEAR(read.receiver, setting.frame.project(readPoint).z - 0.1, 1e-12);
 }
 
 // Light and camera are straight above a level plane: a pixel is a square of the map.
 TEST(SurfaceRead, AFootprintIsWhatThePixelCovers) {
   Setting setting(LightKind::Directional, {1e-6, 9, 0});
   setting.settings.read.filter = ReadFilter::Trilinear;
-  setting.camera.position = point + Vector3d(0, 40, 1e-6);
+  setting.camera.position = readPoint + Vector3d(0, 40, 1e-6);
   const auto read = std::get<SurfacePoint>(setting.read(Vector3d::UnitY()));
   const double pixel = 40.0 * 2.0 * std::tan(15.0 * std::numbers::pi / 180.0) / 480;
   const double texel =
@@ -112,7 +113,7 @@ TEST(SurfaceRead, AFootprintIsWhatThePixelCovers) {
 TEST(SurfaceRead, WhatCannotBeReadSaysWhy) {
   Setting behind(LightKind::Directional);
   behind.camera.target =
-      2.0 * behind.camera.position - point;  // the camera looks away from the point
+      2.0 * behind.camera.position - readPoint;  // the camera looks away from the point
   EXPECT_TRUE(
       std::holds_alternative<SurfacePoint>(behind.read(tilted)));  // a plain read needs no camera
   for (ReadFilter filter :
@@ -131,7 +132,7 @@ TEST(SurfaceRead, CascadesFollowTheDistanceFromTheCamera) {
   Setting setting(LightKind::Directional);
   setting.settings.map.cascades.count = 3;
   setting.settings.map.cascades.seam = 0.2;
-  const double own = (point - setting.camera.position).norm();  // the camera looks at the point
+  const double own = (readPoint - setting.camera.position).norm();  // the camera looks at the point
   const auto readWith = [&](double firstEnd, double side) {
     std::vector<Cascade> cascades(3);
     for (Cascade& cascade : cascades) cascade.frame = setting.frame;
@@ -142,7 +143,7 @@ TEST(SurfaceRead, CascadesFollowTheDistanceFromTheCamera) {
     cascades[2].nearDistance = 10.0 * own;
     cascades[2].farDistance = 20.0 * own;
     return std::get<SurfacePoint>(readOfSurface(
-        {point, tilted},
+        {readPoint, tilted},
         {{setting.camera, 640, 480}, setting.frame, cascades, setting.settings, 1.0}));
   };
   const auto expect = [](const SurfacePoint& read, int cascade, double next) {
@@ -163,22 +164,22 @@ TEST(PictureView, ARayThroughAPointsPixelPassesThePoint) {
   ASSERT_TRUE(pixel);
   const Vector3d ray = view.rayThrough(*pixel), way = other - setting.camera.position;
   EXPECT_LT(ray.cross(way).norm(), 1e-12 * ray.norm() * way.norm() * 10);
-  EXPECT_NEAR((*view.pixelOf(point) - Eigen::Vector2d(320, 240)).norm(), 0.0, 1e-9);
-  EXPECT_FALSE(view.pixelOf(2.0 * setting.camera.position - point));
+  EXPECT_NEAR((*view.pixelOf(readPoint) - Eigen::Vector2d(320, 240)).norm(), 0.0, 1e-9);
+  EXPECT_FALSE(view.pixelOf(2.0 * setting.camera.position - readPoint));
 }
 
 TEST(PictureView, WhatStandsInFrontIsNotThePoint) {
   const Setting setting(LightKind::Directional);
   const PictureView view{setting.camera, 640, 480};
-  const Vector3d way = (setting.camera.position - point).normalized();
-  EXPECT_TRUE(isSeenAt(view, point, tilted, point));
-  EXPECT_FALSE(isSeenAt(view, point, tilted, point + 0.2 * way));
+  const Vector3d way = (setting.camera.position - readPoint).normalized();
+  EXPECT_TRUE(isSeenAt(view, readPoint, tilted, readPoint));
+  EXPECT_FALSE(isSeenAt(view, readPoint, tilted, readPoint + 0.2 * way));
   const Vector3d along = way.cross(tilted).normalized();  // in the plane, across the view
-  const double pixel = (point - setting.camera.position).norm() * 2.0 *
+  const double pixel = (readPoint - setting.camera.position).norm() * 2.0 *
                        std::tan(15.0 * std::numbers::pi / 180.0) / 480;
-  EXPECT_TRUE(isSeenAt(view, point, tilted, point + 0.7 * pixel * along));
-  EXPECT_FALSE(isShownAt(view, point, point + 0.1 * pixel * along));
-  EXPECT_TRUE(isShownAt(view, point, point + 0.001 * pixel * along));
+  EXPECT_TRUE(isSeenAt(view, readPoint, tilted, readPoint + 0.7 * pixel * along));
+  EXPECT_FALSE(isShownAt(view, readPoint, readPoint + 0.1 * pixel * along));
+  EXPECT_TRUE(isShownAt(view, readPoint, readPoint + 0.001 * pixel * along));
 }
 
 TEST(SurfaceSpot, TheNearestTriangleAndItsObjectAreFound) {

@@ -43,12 +43,6 @@ CLI::Option* described(CLI::Option* option, const OptionHelp& help) {
   return option;
 }
 
-std::string oneLine(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  while (!text.empty() && text.back() == ' ') text.pop_back();
-  return text;
-}
-
 // Returns the command that was asked for, or else the program itself.
 const CLI::App& asked(const CLI::App& program) {
   const std::vector<CLI::App*> commands = program.get_subcommands();

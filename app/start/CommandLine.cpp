@@ -3,7 +3,6 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -16,6 +15,7 @@
 #include "app/output/Output.h"
 #include "app/start/OpenWindow.h"
 #include "filters/core/support/Error.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {
@@ -34,12 +34,6 @@ void logToStandardError() {
       "umbrascope", std::make_shared<spdlog::sinks::stderr_color_sink_mt>());
   log->set_pattern("umbrascope: %v");
   spdlog::set_default_logger(log);
-}
-
-std::string oneLine(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  while (!text.empty() && text.back() == ' ') text.pop_back();
-  return text;
 }
 
 class Program {

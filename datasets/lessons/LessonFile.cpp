@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* formatName = "umbrascope-lesson/1";
-constexpr double anyNumber = std::numeric_limits<double>::max();
+constexpr double largestNumber = std::numeric_limits<double>::max();
 
 [[noreturn]] void refuse(const std::string& where, const std::string& why) {
   throw Error(ErrorKind::BadInput, where + why);
@@ -62,8 +62,8 @@ LessonQuestion questionOf(JsonObject& object, const Place& place) {
   question.asked = quantityOf(object, place);
   if (infoOf(question.asked.quantity).ofFrame || question.asked.step != place.step)
     refuse(object.where(), ".quantity: a question asks for one of this step's own probe");
-  object.read("low", question.low, -anyNumber, anyNumber);
-  object.read("high", question.high, -anyNumber, anyNumber);
+  object.read("low", question.low, -largestNumber, largestNumber);
+  object.read("high", question.high, -largestNumber, largestNumber);
   if (question.low >= question.high) refuse(object.where(), ".high: should be greater than 'low'");
   question.tolerance = -1.0;
   object.read("tolerance", question.tolerance, 0.0, question.high - question.low);
@@ -93,12 +93,12 @@ LessonClaim claimOf(JsonObject& object, const Place& place) {
   if (!related) refuse(object.where(), ": needs a 'relation', one of <, > and ≈");
   const double missing = std::numeric_limits<double>::infinity();
   claim.value = missing;
-  object.read("value", claim.value, -anyNumber, anyNumber);
+  object.read("value", claim.value, -largestNumber, largestNumber);
   object.readObject("than", [&](JsonObject& than) { claim.right = quantityOf(than, place); });
   if (claim.right.has_value() == (claim.value != missing))
     refuse(object.where(), ": needs exactly one of 'value' and 'than'");
   claim.tolerance = -1.0;
-  object.read("tolerance", claim.tolerance, 0.0, anyNumber);
+  object.read("tolerance", claim.tolerance, 0.0, largestNumber);
   if ((claim.relation == LessonRelation::Near) != (claim.tolerance >= 0.0))
     refuse(object.where(), ": a 'tolerance' goes with the relation ≈, and ≈ needs one");
   return claim;

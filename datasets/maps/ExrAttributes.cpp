@@ -13,7 +13,7 @@ namespace umbra {
 namespace {
 
 constexpr std::uint32_t magic = 20000630, severalParts = 0x1000;
-constexpr std::size_t longestName = 255;  // bytes, of an attribute and of its type
+constexpr std::size_t longestWord = 255;  // bytes, of an attribute and of its type
 
 // Walks a header, whose layout is: attributes, each a name, a type, a size and as many bytes; an
 // empty name ends it. Nothing where the file ends or errs.
@@ -58,7 +58,7 @@ class HeaderWalk {
 
   std::optional<std::string> word() {
     std::string text;
-    for (char c = 0; stream_.get(c) && text.size() <= longestName; text += c)
+    for (char c = 0; stream_.get(c) && text.size() <= longestWord; text += c)
       if (c == '\0') return text;
     return std::nullopt;
   }

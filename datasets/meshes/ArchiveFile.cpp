@@ -19,7 +19,7 @@ struct Free {
   void operator()(archive* a) const { archive_read_free(a); }
 };
 
-[[noreturn]] void refuse(const fs::path& file, const std::string& what) {
+[[noreturn]] void refuseArchive(const fs::path& file, const std::string& what) {
   std::string line = file.string() + ": " + what;
   std::replace(line.begin(), line.end(), '\n', ' ');
   throw Error(ErrorKind::BadInput, line);
@@ -36,10 +36,11 @@ std::string contentOf(archive* reader, const fs::path& file, const std::string& 
   char block[1 << 16];
   for (;;) {
     const la_ssize_t count = archive_read_data(reader, block, sizeof block);
-    if (count < 0) refuse(file, "'" + name + "' in it is damaged: " + textOf(reader));
+    if (count < 0) refuseArchive(file, "'" + name + "' in it is damaged: " + textOf(reader));
     if (count == 0) return content;
     content.append(block, std::size_t(count));
-    if (content.size() > largestEntry) refuse(file, "'" + name + "' in it is larger than 256 MB");
+    if (content.size() > largestEntry)
+      refuseArchive(file, "'" + name + "' in it is larger than 256 MB");
   }
 }
 
@@ -50,12 +51,12 @@ std::vector<std::string> readArchive(const fs::path& file,
   const std::unique_ptr<archive, Free> reader(archive_read_new());
   archive_read_support_format_zip(reader.get());
   if (archive_read_open_filename(reader.get(), file.c_str(), 1 << 16) != ARCHIVE_OK)
-    refuse(file, "cannot be read as a ZIP archive: " + textOf(reader.get()));
+    refuseArchive(file, "cannot be read as a ZIP archive: " + textOf(reader.get()));
   std::vector<std::string> contents(entries.size());
   std::vector<bool> found(entries.size(), false);
   archive_entry* entry = nullptr;
   for (int status = 0; (status = archive_read_next_header(reader.get(), &entry)) != ARCHIVE_EOF;) {
-    if (status < ARCHIVE_WARN) refuse(file, "is damaged: " + textOf(reader.get()));
+    if (status < ARCHIVE_WARN) refuseArchive(file, "is damaged: " + textOf(reader.get()));
     const char* path = archive_entry_pathname(entry);
     const auto wanted = std::find(entries.begin(), entries.end(), path ? path : "");
     if (wanted == entries.end()) continue;
@@ -65,7 +66,7 @@ std::vector<std::string> readArchive(const fs::path& file,
     if (std::find(found.begin(), found.end(), false) == found.end()) return contents;
   }
   const auto i = std::size_t(std::find(found.begin(), found.end(), false) - found.begin());
-  refuse(file, "has no entry '" + entries[i] + "'");
+  refuseArchive(file, "has no entry '" + entries[i] + "'");
 }
 
 }  // namespace umbra

@@ -9,8 +9,6 @@
 namespace umbra::scenes {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 // One cross-section of the body at x: `low` and `high` in y, half widths at sill, waist and top.
 struct Section {
   double x, low, waist, high, sill, belt, top;
@@ -52,7 +50,7 @@ std::vector<Vector2d> outlineOf(const Section& s) {
   std::vector<Vector2d> half{{0.5 * s.sill, s.low}, {0.92 * s.sill, s.low}};
   for (int i = 0; i <= 6; ++i) {  // from sill to waist
     const double t = i / 6.0;
-    half.emplace_back(s.sill + (s.belt - s.sill) * std::sin(0.5 * pi * t),
+    half.emplace_back(s.sill + (s.belt - s.sill) * std::sin(0.5 * std::numbers::pi * t),
                       s.low + 0.05 + t * (s.waist - s.low - 0.05));
   }
   const double shoulder = 0.10 * (s.high - s.waist);
@@ -62,8 +60,8 @@ std::vector<Vector2d> outlineOf(const Section& s) {
                       s.waist + t * (s.high - s.waist - shoulder));
   }
   for (int i = 1; i <= 5; ++i)  // over the roof's edge to its middle
-    half.emplace_back(s.top * std::cos(0.5 * pi * i / 6.0),
-                      s.high - shoulder + shoulder * std::sin(0.5 * pi * i / 6.0));
+    half.emplace_back(s.top * std::cos(0.5 * std::numbers::pi * i / 6.0),
+                      s.high - shoulder + shoulder * std::sin(0.5 * std::numbers::pi * i / 6.0));
   std::vector<Vector2d> outline = half;
   outline.emplace_back(0.0, s.high);
   for (auto p = half.rbegin(); p != half.rend(); ++p) outline.emplace_back(-p->x(), p->y());
@@ -163,7 +161,7 @@ Mesh canopy(int slats) {
   return mesh;
 }
 
-Scene build(const Values& values) {
+Scene carScene(const Values& values) {
   using namespace colours;
   Scene scene;
   const double lift = values.at("lift");
@@ -196,7 +194,7 @@ SceneEntry car() {
            .figure = "Gumbau 2011, table 1",
            .parameters = {{"lift", "height of the wheels over the ground", 0.0, 1.0, 0.0},
                           {"slats", "slats of the canopy", 0, 40, 18}}},
-          build};
+          carScene};
 }
 
 }  // namespace umbra::scenes

@@ -58,7 +58,7 @@ Mesh shrub(const Vector3d& centre, double radius) {
   return mesh;
 }
 
-Scene build(const Values& values) {
+Scene fenceScene(const Values& values) {
   using namespace colours;
   Scene scene;
   scene.objects = {object("fence", fence(int(values.at("pickets"))), white),
@@ -84,7 +84,7 @@ SceneEntry fence() {
                           "them, let light stripes through.",
            .figure = "Annen 2007, fig. 9",
            .parameters = {{"pickets", "pickets of the fence", 6, 60, 22}}},
-          build};
+          fenceScene};
 }
 
 }  // namespace umbra::scenes

@@ -45,7 +45,7 @@ Mesh fern(const Vector3d& foot, double size, std::uint64_t seed) {
   return mesh;
 }
 
-Scene build(const Values& values) {
+Scene foliageScene(const Values& values) {
   using namespace colours;
   Scene scene;
   const int leaves = int(values.at("leaves"));
@@ -93,7 +93,7 @@ SceneEntry foliage() {
                           "crowns' inner leaves: hardly any deep shadow stays dark.",
            .figure = "Annen 2007, §5",
            .parameters = {{"leaves", "leaves of the tall tree", 500, 12000, 4200}}},
-          build};
+          foliageScene};
 }
 
 }  // namespace umbra::scenes

@@ -8,7 +8,6 @@
 namespace umbra::scenes {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 using Triangle = std::array<std::uint32_t, 3>;
 
 // Rows of `columns` points each become a surface; a row that is closed is joined to itself.
@@ -60,7 +59,7 @@ std::pair<Vector3d, Vector3d> sidewaysOf(const Vector3d& axis) {
 void addRing(Grid& grid, const Vector3d& centre, const std::pair<Vector3d, Vector3d>& sideways,
              double radius) {
   for (std::uint32_t i = 0; i < grid.columns; ++i) {
-    const double angle = 2.0 * pi * i / grid.columns;
+    const double angle = 2.0 * std::numbers::pi * i / grid.columns;
     grid.add(centre +
              radius * (std::cos(angle) * sideways.first + std::sin(angle) * sideways.second));
   }
@@ -117,7 +116,7 @@ Mesh sphere(const Vector3d& centre, double radius, int segments) {
   std::vector<Vector2d> profile;
   const int rows = segments / 2;
   for (int row = 0; row <= rows; ++row) {
-    const double angle = -pi / 2.0 + pi * row / rows;
+    const double angle = -std::numbers::pi / 2.0 + std::numbers::pi * row / rows;
     const bool pole = row == 0 || row == rows;
     profile.emplace_back(pole ? 0.0 : radius * std::cos(angle), radius * std::sin(angle));
   }
@@ -171,10 +170,10 @@ Mesh torus(const Vector3d& centre, const Vector3d& axis, double radius, double t
     return std::uint32_t((segment % segments) * sides + side % sides);
   };
   for (int i = 0; i < segments; ++i) {
-    const double along = 2.0 * pi * i / segments;
+    const double along = 2.0 * std::numbers::pi * i / segments;
     const Vector3d outward = std::cos(along) * first + std::sin(along) * second;
     for (int j = 0; j < sides; ++j) {
-      const double round = 2.0 * pi * j / sides;
+      const double round = 2.0 * std::numbers::pi * j / sides;
       points.push_back((centre + (radius + thickness * std::cos(round)) * outward +
                         thickness * std::sin(round) * axis.normalized())
                            .cast<float>());

@@ -4,13 +4,13 @@
 namespace umbra::scenes {
 namespace {
 
-// The posts reach from the ground to `height` and fix the light's frame whatever the depths of the
-// plates are, so that a plate at parameter z lies at normalised depth z: the frame adds 2 % of the
-// height on either side.
-constexpr double height = 3.2, halfWidth = 2.0, plateThickness = 0.02;
+// The posts reach from the ground to `postHeight` and fix the light's frame whatever the depths of
+// the plates are, so that a plate at parameter z lies at normalised depth z: the frame adds 2 % of
+// the height on either side.
+constexpr double postHeight = 3.2, halfWidth = 2.0, plateThickness = 0.02;
 
 double heightAt(double z) {
-  return height * (1.02 - 1.04 * z);
+  return postHeight * (1.02 - 1.04 * z);
 }
 
 // A horizontal plate, whose upper side lies at normalised depth z.
@@ -25,7 +25,7 @@ SceneObject posts() {
   Mesh mesh;
   for (double x : {-halfWidth, halfWidth})
     for (double z : {-halfWidth, halfWidth})
-      append(mesh, cylinder({x, 0.0, z}, {x, height, z}, 0.012, 0.035, 16));
+      append(mesh, cylinder({x, 0.0, z}, {x, postHeight, z}, 0.012, 0.035, 16));
   return object("posts", std::move(mesh), colours::iron);
 }
 

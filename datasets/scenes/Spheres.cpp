@@ -18,7 +18,7 @@ Vector3d centreOf(const Ball& ball, double height) {
   return Vector3d(ball.x, 0.0, ball.z) + height / lightAt.y() * lightAt;
 }
 
-Scene build(const Values& values) {
+Scene spheresScene(const Values& values) {
   using namespace colours;
   Scene scene;
   const Ball low[] = {{-0.55, 0.45, 0.55, 0.50, paper}, {0.95, 0.75, 0.50, 0.46, sand},
@@ -53,7 +53,7 @@ SceneEntry spheres() {
                           "spheres' outlines shine through as bright rings.",
            .figure = "Gumbau 2011, fig. 3",
            .parameters = {{"lift", "height of the small spheres, as a multiple", 0.5, 1.3, 1.0}}},
-          build};
+          spheresScene};
 }
 
 }  // namespace umbra::scenes

@@ -16,7 +16,7 @@ Vector2d at(const Cubic& c, double t) {
 
 // The outlines are those of Newell's teapot, whose body, lid and foot are Bézier curves turned
 // round an axis; radius and height in his units.
-constexpr int steps = 14;
+constexpr int curveSteps = 14;
 
 std::vector<Vector2d> bodyProfile() {
   std::vector<Vector2d> profile{{0.0, 0.0}, {1.5, 0.0}};
@@ -24,7 +24,7 @@ std::vector<Vector2d> bodyProfile() {
                           {{{2.0, 0.90}, {2.0, 1.35}, {1.75, 1.875}, {1.5, 2.4}}},
                           {{{1.5, 2.4}, {1.4375, 2.53125}, {1.3375, 2.53125}, {1.4, 2.4}}}};
   for (const Cubic& curve : curves)
-    for (int i = 1; i <= steps; ++i) profile.push_back(at(curve, double(i) / steps));
+    for (int i = 1; i <= curveSteps; ++i) profile.push_back(at(curve, double(i) / curveSteps));
   profile.emplace_back(1.3, 2.34);
   profile.emplace_back(0.0, 2.34);
   return profile;
@@ -35,10 +35,10 @@ std::vector<Vector2d> lidProfile() {
   const Cubic curves[] = {{{{1.3, 2.40}, {1.3, 2.55}, {0.4, 2.55}, {0.2, 2.70}}},
                           {{{0.2, 2.70}, {0.0, 2.85}, {0.8, 3.15}, {0.0, 3.15}}}};
   for (const Cubic& curve : curves)
-    for (int i = 0; i <= steps; ++i) {
-      const Vector2d point = at(curve, double(i) / steps);
+    for (int i = 0; i <= curveSteps; ++i) {
+      const Vector2d point = at(curve, double(i) / curveSteps);
       // The knob's neck stays round a rod, so that the surface does not pinch.
-      const bool tip = &curve == &curves[1] && i == steps;
+      const bool tip = &curve == &curves[1] && i == curveSteps;
       profile.emplace_back(tip ? 0.0 : std::max(point.x(), 0.12), point.y());
     }
   return profile;
@@ -49,10 +49,10 @@ Mesh bent(std::span<const Cubic> curves, double from, double to) {
   std::vector<Vector3d> path;
   std::vector<double> radii;
   for (std::size_t c = 0; c < curves.size(); ++c)
-    for (int i = c == 0 ? 0 : 1; i <= steps; ++i) {
-      const Vector2d point = at(curves[c], double(i) / steps);
+    for (int i = c == 0 ? 0 : 1; i <= curveSteps; ++i) {
+      const Vector2d point = at(curves[c], double(i) / curveSteps);
       path.emplace_back(point.x(), point.y(), 0.0);
-      const double t = (double(c) + double(i) / steps) / double(curves.size());
+      const double t = (double(c) + double(i) / curveSteps) / double(curves.size());
       radii.push_back(from + (to - from) * std::pow(t, 0.6));
     }
   return tube(path, radii, 24);

@@ -59,7 +59,7 @@ Mesh cups() {
   return mesh;
 }
 
-Scene build(const Values& values) {
+Scene arcadeScene(const Values& values) {
   using namespace colours;
   Scene scene;
   const Eigen::Affine3d place = moved({0.3, 0.0, 0.85});
@@ -92,7 +92,7 @@ SceneEntry teapotArcade() {
                           "arches: every edge nearer to the light shows through the last one.",
            .figure = "Lauritzen 2008, fig. 4.3",
            .parameters = {{"joists", "joists over the passage", 0, 40, 16}}},
-          build};
+          arcadeScene};
 }
 
 }  // namespace umbra::scenes

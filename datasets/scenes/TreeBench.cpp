@@ -21,7 +21,7 @@ std::pair<Mesh, Mesh> bench() {
   return {wood, iron};
 }
 
-Scene build(const Values&) {
+Scene treeBenchScene(const Values&) {
   Scene scene;
   Tree tree = growTree({.height = 3.7, .crown = 1.45, .leaves = 1100, .leafLength = 0.25});
   const Eigen::Affine3d place = moved({-0.75, 0.0, -1.35});
@@ -47,7 +47,7 @@ SceneEntry treeBench() {
                           "spots that move with the filter's size.",
            .figure = "Lauritzen 2008, fig. 3.5",
            .parameters = {}},
-          build};
+          treeBenchScene};
 }
 
 }  // namespace umbra::scenes

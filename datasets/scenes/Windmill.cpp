@@ -71,7 +71,7 @@ Mesh gallery() {
   return mesh;
 }
 
-Mesh steps() {
+Mesh stair() {
   Mesh mesh;
   const int treads = 8;
   for (int i = 0; i < treads; ++i) {
@@ -96,14 +96,14 @@ Mesh barrels() {
   return mesh;
 }
 
-Scene build(const Values& values) {
+Scene windmillScene(const Values& values) {
   using namespace colours;
   Scene scene;
   scene.objects = {object("tower", tower(), paper),
                    object("cap", cap(), brick),
                    object("sails", sails(values.at("turn")), wood),
                    object("gallery", gallery(), bark),
-                   object("steps", steps(), bark),
+                   object("steps", stair(), bark),
                    object("barrels", barrels(), ochre)};
   addGround(scene, {-0.35, 0.0, 0.1}, 2.9, 2.7, sand, lawn);
   scene.light = sun({4.2, 8.6, 4.4}, {0.0, 1.2, 0.0});
@@ -122,7 +122,7 @@ SceneEntry windmill() {
                           "of the sails bleeds through what lies between.",
            .figure = "Lauritzen 2008, fig. 4.8",
            .parameters = {{"turn", "degrees that the sails have turned", 0.0, 90.0, 22.0}}},
-          build};
+          windmillScene};
 }
 
 }  // namespace umbra::scenes

@@ -7,17 +7,17 @@
 namespace umbra {
 namespace {
 
-constexpr std::array<std::string_view, 3> names{"single", "wipe", "grid"};
+constexpr std::array<std::string_view, 3> modeNames{"single", "wipe", "grid"};
 
 }  // namespace
 
 std::string_view nameOf(ComparisonMode mode) {
-  return names[std::size_t(mode)];
+  return modeNames[std::size_t(mode)];
 }
 
 ComparisonMode comparisonModeFrom(std::string_view name, std::string_view where) {
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (names[i] == name) return ComparisonMode(i);
+  for (std::size_t i = 0; i < modeNames.size(); ++i)
+    if (modeNames[i] == name) return ComparisonMode(i);
   throw Error(ErrorKind::BadCommandLine, std::string(where) + ": '" + std::string(name) +
                                              "' is not right, it takes single, wipe or grid");
 }

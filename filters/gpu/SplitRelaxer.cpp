@@ -25,7 +25,7 @@ constexpr int largestGrid = 16;  // work groups along either axis that add up sa
 constexpr int run = 128;         // sums that one invocation of the reduction adds up
 constexpr int reduceGroup = 32;
 
-GLuint groups(int items, int size) {
+GLuint groupsFor(int items, int size) {
   return GLuint((items + size - 1) / size);
 }
 
@@ -96,7 +96,8 @@ void SplitRelaxer::takeSamples(const gl::Texture& depth) {
   glUseProgram(program);
   glBindTextureUnit(0, depth.name());
   glBindImageTexture(0, samples_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG32F);
-  glDispatchCompute(groups(samples_.width(), groupSide), groups(samples_.height(), groupSide), 1);
+  glDispatchCompute(groupsFor(samples_.width(), groupSide), groupsFor(samples_.height(), groupSide),
+                    1);
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG32F);
   glUseProgram(0);
@@ -112,7 +113,7 @@ void SplitRelaxer::request() {
   std::transform(ends.begin(), ends.end(), limits.begin(), roundedDown);
 
   const auto grid = [](int samples) {
-    return std::min<GLuint>(groups(samples, groupSide * ownSamples), largestGrid);
+    return std::min<GLuint>(groupsFor(samples, groupSide * ownSamples), largestGrid);
   };
   const GLuint columns = grid(samples_.width()), rows = grid(samples_.height());
   int count = int(columns * rows) * groupSide * groupSide;
@@ -142,7 +143,7 @@ void SplitRelaxer::request() {
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, from);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, to);
-    glDispatchCompute(groups(coarse * int(clusters), reduceGroup), 1, 1);
+    glDispatchCompute(groupsFor(coarse * int(clusters), reduceGroup), 1, 1);
     std::swap(from, to);
     count = coarse;
   }

@@ -31,7 +31,7 @@ inline constexpr std::array<ViewColour, 4> cascadeColours{
     {{0.98f, 0.80f, 0.36f}, {0.47f, 0.76f, 0.52f}, {0.42f, 0.63f, 0.87f}, {0.74f, 0.55f, 0.82f}}};
 
 // An error of the size 1, the largest, has its full colour.
-inline ViewColour errorColour(double error) {
+inline ViewColour colourOfError(double error) {
   const ViewColour& end = error > 0.0 ? bleedingColour : darkeningColour;
   const float share = float(std::min(std::abs(error), 1.0));
   ViewColour colour{};
@@ -40,7 +40,7 @@ inline ViewColour errorColour(double error) {
 }
 
 // Receiver depth z_r in [0,1]: near the light is bright, as in a picture of the shadow map.
-inline ViewColour depthColour(double z) {
+inline ViewColour colourOfDepth(double z) {
   const float grey = float(1.0 - std::clamp(z, 0.0, 1.0));
   return {grey, grey, grey};
 }

@@ -22,7 +22,7 @@
 namespace umbra {
 namespace {
 
-vtkNew<vtkFloatArray> toArray(const std::vector<Eigen::Vector3f>& vectors) {
+vtkNew<vtkFloatArray> newArray(const std::vector<Eigen::Vector3f>& vectors) {
   vtkNew<vtkFloatArray> array;
   array->SetNumberOfComponents(3);
   array->SetNumberOfTuples(vtkIdType(vectors.size()));
@@ -57,7 +57,7 @@ void addObjects(vtkPolyData& data, const FieldMesh& mesh) {
 vtkNew<vtkPolyData> toPolyData(const FieldMesh& mesh) {
   vtkNew<vtkPolyData> data;
   vtkNew<vtkPoints> points;
-  points->SetData(toArray(mesh.positions));
+  points->SetData(newArray(mesh.positions));
   data->SetPoints(points);
   vtkNew<vtkIdTypeArray> corners;
   corners->SetNumberOfTuples(vtkIdType(3 * mesh.triangles.size()));
@@ -67,7 +67,7 @@ vtkNew<vtkPolyData> toPolyData(const FieldMesh& mesh) {
   vtkNew<vtkCellArray> cells;
   cells->SetData(3, corners);
   data->SetPolys(cells);
-  const auto normals = toArray(mesh.normals);
+  const auto normals = newArray(mesh.normals);
   normals->SetName("Normals");
   data->GetPointData()->SetNormals(normals);
   addFields(*data->GetPointData(), mesh.vertexFields);

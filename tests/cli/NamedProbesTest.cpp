@@ -11,7 +11,7 @@
 namespace umbra::cli {
 namespace {
 
-const Arguments techniques{"--technique", "pcf,vsm,esm"};
+const Arguments threeTechniques{"--technique", "pcf,vsm,esm"};
 
 class NamedProbes : public testing::Test {
  protected:
@@ -30,7 +30,7 @@ class NamedProbes : public testing::Test {
   }
   Outcome probe(const Json& json, const Arguments& more) const {
     Arguments arguments{"probe", "--session", write(json)};
-    arguments.insert(arguments.end(), techniques.begin(), techniques.end());
+    arguments.insert(arguments.end(), threeTechniques.begin(), threeTechniques.end());
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run(arguments);
   }

@@ -17,9 +17,9 @@ constexpr ReadFilter filters[] = {ReadFilter::Point, ReadFilter::Bilinear, ReadF
                                   ReadFilter::Anisotropic, ReadFilter::SummedArea};
 constexpr StorageFormat formats[] = {StorageFormat::Float, StorageFormat::Half,
                                      StorageFormat::Unorm16, StorageFormat::Unorm8};
-constexpr KernelShape kernels[] = {KernelShape::Box, KernelShape::Gaussian};
-constexpr SatPrecision precisions[] = {SatPrecision::Centred, SatPrecision::Integer,
-                                       SatPrecision::Plain};
+constexpr KernelShape shapes[] = {KernelShape::Box, KernelShape::Gaussian};
+constexpr SatPrecision satPrecisions[] = {SatPrecision::Centred, SatPrecision::Integer,
+                                          SatPrecision::Plain};
 constexpr int sampleCounts[] = {1, 4}, cascadeCounts[] = {1, 3};
 
 FrameSettings settingsOf(const std::vector<int>& choice) {
@@ -30,8 +30,8 @@ FrameSettings settingsOf(const std::vector<int>& choice) {
   settings.map.format = formats[choice[1]];
   settings.map.samples = sampleCounts[choice[2]];
   settings.map.cascades.count = cascadeCounts[choice[3]];
-  settings.kernel.shape = kernels[choice[4]];
-  settings.read.satPrecision = precisions[choice[5]];
+  settings.kernel.shape = shapes[choice[4]];
+  settings.read.satPrecision = satPrecisions[choice[5]];
   return settings;
 }
 
@@ -109,7 +109,7 @@ bool expectsRefusal(const FrameSettings& s, const Technique& technique) {
 TEST_P(Composition, HoldsInPairs) {
   const std::vector<int> sizes{int(std::size(filters)),      int(std::size(formats)),
                                int(std::size(sampleCounts)), int(std::size(cascadeCounts)),
-                               int(std::size(kernels)),      int(std::size(precisions))};
+                               int(std::size(shapes)),       int(std::size(satPrecisions))};
   int drawn = 0;
   show(test::slabAndBall(), GetParam());
   for (const std::vector<int>& choice : test::pairwise(sizes)) {

@@ -14,8 +14,8 @@
 namespace umbra {
 namespace {
 
-constexpr int stillFor = 250;      // ms: a light or camera in the hand draws a frame after another
-constexpr int tickInterval = 100;  // ms
+constexpr int sceneStillFor = 250;  // ms: a light or camera in the hand draws a frame after another
+constexpr int tickInterval = 100;   // ms
 // So many taps are read for one picture at most, which takes some five seconds on one core. A 7 × 7
 // kernel needs far fewer.
 constexpr double mostTaps = 3e7;
@@ -48,7 +48,7 @@ ErrorController::ErrorController(SessionController& controller, SceneView& view,
                                  QObject* parent)
     : QObject(parent), controller_(controller), view_(view), prober_(prober) {
   still_.setSingleShot(true);
-  still_.setInterval(stillFor);
+  still_.setInterval(sceneStillFor);
   tick_.setInterval(tickInterval);
   connect(&still_, &QTimer::timeout, this, &ErrorController::start);
   connect(&tick_, &QTimer::timeout, this, &ErrorController::progressed);

@@ -21,7 +21,8 @@
 namespace umbra {
 namespace {
 
-constexpr int besideWidth = 360;  // logical pixels from which table and picture stand side by side
+constexpr int pictureBesideWidth =
+    360;  // logical pixels from which table and picture stand side by side
 
 // The part that contributes most to a pixel's error.
 ErrorPart largestPart(const ErrorDecomposition& errors, const PicturePixel& pixel) {
@@ -107,8 +108,8 @@ QToolButton* ErrorPane::addButton(const QString& text, const char* name, const Q
 
 void ErrorPane::resizeEvent(QResizeEvent* event) {
   Card::resizeEvent(event);
-  halves_->setDirection(event->size().width() >= besideWidth ? QBoxLayout::LeftToRight
-                                                             : QBoxLayout::TopToBottom);
+  halves_->setDirection(event->size().width() >= pictureBesideWidth ? QBoxLayout::LeftToRight
+                                                                    : QBoxLayout::TopToBottom);
 }
 
 // Escape removes the lasso while there is one; without one it is left to the window.

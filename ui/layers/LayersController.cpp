@@ -12,7 +12,7 @@
 namespace umbra {
 namespace {
 
-constexpr int stillFor = 150;          // ms: a light that is being dragged makes a map a frame
+constexpr int lightStillFor = 150;     // ms: a light that is being dragged makes a map a frame
 constexpr int playInterval = 450;      // ms for an iteration: it can be followed by eye
 constexpr double smallestDrag = 1e-3;  // depth between two splits that were dragged
 constexpr int histogramBins = 60;
@@ -56,7 +56,7 @@ LayerParameters layerParametersOf(const Technique& technique) {
 LayersController::LayersController(SessionController& controller, SceneView& view, QObject* parent)
     : QObject(parent), controller_(controller), view_(view) {
   still_.setSingleShot(true);
-  still_.setInterval(stillFor);
+  still_.setInterval(lightStillFor);
   play_.setInterval(playInterval);
   connect(&still_, &QTimer::timeout, this, &LayersController::lookForOccluders);
   connect(&play_, &QTimer::timeout, this, [this] {

@@ -18,7 +18,7 @@
 namespace umbra {
 namespace {
 
-constexpr int besideWidth = 640;  // logical pixels from which the plots stand side by side
+constexpr int plotsBesideWidth = 640;  // logical pixels from which the plots stand side by side
 
 std::vector<std::string> layerTints() {
   std::vector<std::string> tints;
@@ -83,7 +83,7 @@ QPushButton* LayersPane::addButton(const QString& text, const char* name, const 
 
 void LayersPane::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  const bool beside = event->size().width() >= besideWidth;
+  const bool beside = event->size().width() >= plotsBesideWidth;
   plots_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   // On a projector the plots stand one above the other, both as low as their axes allow.
   plots_->setStretch(0, beside ? 3 : 1);

@@ -22,7 +22,7 @@ namespace {
 
 constexpr int chipSide = 9;  // logical pixels, as in the list of techniques
 constexpr int boxRoom = 52;  // beside a technique's name: its chip, the arrow, the frame
-constexpr int margin = 6;
+constexpr int headerMargin = 6;
 
 QPixmap chip(const QColor& colour) {
   QPixmap pixmap(chipSide, chipSide);
@@ -44,7 +44,7 @@ PaneHeader::PaneHeader(const std::vector<const Technique*>& techniques, QMenu& m
   // Panes are equally wide whatever their labels say. Otherwise a label that is laid out for its
   // width would change that width, and the width of the labels beside it.
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  layout_->setContentsMargins(margin, 3, margin, 3);
+  layout_->setContentsMargins(headerMargin, 3, headerMargin, 3);
   layout_->setHorizontalSpacing(6);
   layout_->setVerticalSpacing(1);
   for (const Technique* technique : techniques) {
@@ -88,7 +88,7 @@ void PaneHeader::place() {
   const QFontMetrics metrics = fontMetrics();
   const int technique = metrics.horizontalAdvance(box_->currentText()) + boxRoom;
   const int others = metrics.horizontalAdvance("+0.000") + menuButton_->sizeHint().width() +
-                     3 * layout_->horizontalSpacing() + 2 * margin;
+                     3 * layout_->horizontalSpacing() + 2 * headerMargin;
   const bool fits = technique + metrics.horizontalAdvance(text) + others <= width();
   const Place wanted = text.isEmpty() ? Place::Nowhere : fits ? Place::Beside : Place::Beneath;
   box_->setMinimumWidth(wanted == Place::Beside ? technique : 0);

@@ -15,7 +15,7 @@
 namespace umbra {
 namespace {
 
-constexpr int stillFor = 200;  // ms
+constexpr int pointerStillFor = 200;  // ms
 
 }  // namespace
 
@@ -35,7 +35,7 @@ ExplainPane::ExplainPane(SessionController& controller, Prober& prober, QWidget*
   layout->addWidget(chooser_);
   layout->addWidget(plot_, 1);
   still_.setSingleShot(true);
-  still_.setInterval(stillFor);
+  still_.setInterval(pointerStillFor);
   connect(&prober_, &Prober::reported, this, &ExplainPane::refresh);
   connect(&still_, &QTimer::timeout, this, &ExplainPane::computeBeside);
   connect(chooser_, QOverload<int>::of(&QComboBox::activated), this, &ExplainPane::refresh);

@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& where, const std::string& why) {
+[[noreturn]] void refuseList(const std::string& where, const std::string& why) {
   throw Error(ErrorKind::BadInput, where + ": " + why);
 }
 
@@ -56,7 +56,7 @@ Pane paneFrom(const Json& value, const std::string& where, const FrameSettings& 
   object.readName("technique", [&](const std::string& id, const std::string& place) {
     pane.technique = allTechniques().make(id, place)->info().id;
   });
-  if (pane.technique.empty()) refuse(where, "needs a \"technique\"");
+  if (pane.technique.empty()) refuseList(where, "needs a \"technique\"");
   object.read("active", active);
   object.readObject("parameters", [&](JsonObject& parameters) {
     pane.own.parameters = readParameterValues(parameters, pane.technique);
@@ -74,9 +74,10 @@ Pane paneFrom(const Json& value, const std::string& where, const FrameSettings& 
 void readTechniques(JsonObject& object, std::vector<Pane>& panes) {
   object.readList("techniques", [&](const Json& element, const std::string& where) {
     const std::string id = element.is_string() ? element.get<std::string>() : quoted(element);
-    if (!allTechniques().has(id)) refuse(where, "there is no technique " + clipped(id));
+    if (!allTechniques().has(id)) refuseList(where, "there is no technique " + clipped(id));
     if (placeOf(panes, id) != panes.size())
-      refuse(where, "has " + id + " twice, each is compared once unless \"panes\" set it apart");
+      refuseList(where,
+                 "has " + id + " twice, each is compared once unless \"panes\" set it apart");
     panes.push_back({id, {}});
   });
 }
@@ -88,7 +89,8 @@ void readPanes(JsonObject& object, const Session& shared, Comparison& comparison
     bool active = false;
     comparison.panes.push_back(paneFrom(element, where, shared.frame, active));
     if (!active) return;
-    if (!activeAt.empty()) refuse(where + ".active", "one before it is active, only one can be");
+    if (!activeAt.empty())
+      refuseList(where + ".active", "one before it is active, only one can be");
     activeAt = where;
     comparison.active = comparison.panes.size() - 1;
   });
@@ -96,8 +98,8 @@ void readPanes(JsonObject& object, const Session& shared, Comparison& comparison
   if (activeAt.empty()) comparison.active = placeOf(comparison.panes, shared.technique);
   if (comparison.active == comparison.panes.size() ||
       comparison.panes[comparison.active].technique != shared.technique)
-    refuse(activeAt.empty() ? object.where() + ".panes" : activeAt,
-           "should show " + shared.technique + ", which \"technique\" says");
+    refuseList(activeAt.empty() ? object.where() + ".panes" : activeAt,
+               "should show " + shared.technique + ", which \"technique\" says");
 }
 
 }  // namespace
@@ -126,14 +128,14 @@ Comparison readComparison(JsonObject& object, const Session& shared) {
   if (comparison.active == comparison.panes.size()) comparison.active = 0;
   if (listed)
     object.readList("panes", [](const Json&, const std::string& where) {
-      refuse(where, "\"techniques\" has the panes, it takes one of the two");
+      refuseList(where, "\"techniques\" has the panes, it takes one of the two");
     });
   else
     readPanes(object, shared, comparison);
   const std::size_t count = comparison.panes.size();
   if (count != 0 && (count < Comparison::fewest || count > Comparison::most))
-    refuse(object.where() + (listed ? ".techniques" : ".panes"),
-           "there are " + std::to_string(count) + ", two to six are compared");
+    refuseList(object.where() + (listed ? ".techniques" : ".panes"),
+               "there are " + std::to_string(count) + ", two to six are compared");
   object.read("wipe", comparison.wipe, 0.0, 1.0);
   return comparison;
 }

@@ -13,7 +13,7 @@
 namespace umbra {
 namespace {
 
-DepthMap noise(int width, int height, int samples = 1) {
+DepthMap sampledNoise(int width, int height, int samples = 1) {
   DepthMap map(width, height, samples);
   std::mt19937 random(71);
   for (double& depth : map.values()) depth = std::uniform_real_distribution(0.0, 1.0)(random);
@@ -62,7 +62,7 @@ class MipRead : public testing::TestWithParam<MipCase> {};
 
 TEST_P(MipRead, IsThatOfThePyramidOfTheWholeMap) {
   const auto& [size, id, format] = GetParam();
-  const DepthMap map = noise(size, size);
+  const DepthMap map = sampledNoise(size, size);
   const auto technique = allTechniques().make(id);
   const std::vector<Channel> layout = technique->channels();
   const Kernel kernel{KernelShape::Gaussian, 2};
@@ -134,7 +134,7 @@ TEST(MipLevels, AreThoseAboutTheFootprintsSize) {
 }
 
 TEST(SummedAreaRegion, WeighsTexelsByWhatTheBoxCovers) {
-  const DepthMap map = noise(8, 8);
+  const DepthMap map = sampledNoise(8, 8);
   // The box reaches from 2.25 to 4.75 along x and from 3 to 4 along y.
   const Region region = regionOf(map, {KernelShape::Box, 1},
                                  {ReadFilter::SummedArea, 3.5 / 8, 3.5 / 8, {2.5, 1.0, 1}});
@@ -147,7 +147,7 @@ TEST(SummedAreaRegion, WeighsTexelsByWhatTheBoxCovers) {
 }
 
 TEST(SummedAreaRead, AddsUpStoredChannelsAndRoundsNoMore) {
-  const DepthMap map = noise(8, 8);
+  const DepthMap map = sampledNoise(8, 8);
   const auto vsm = allTechniques().make("vsm");
   const ReadPoint read{ReadFilter::SummedArea, 0.5, 0.5, {2.0, 2.0, 1}};
   const auto channels = readChannels(map, *vsm, {}, StorageFormat::Unorm8, read);
@@ -158,7 +158,7 @@ TEST(SummedAreaRead, AddsUpStoredChannelsAndRoundsNoMore) {
 }
 
 TEST(SummedAreaRead, RefusesMinimaAndMaxima) {
-  const DepthMap map = noise(4, 4);
+  const DepthMap map = sampledNoise(4, 4);
   const auto technique = allTechniques().make("power-cdf");
   try {
     readChannels(map, *technique, {}, StorageFormat::Double,
@@ -189,7 +189,7 @@ TEST(Samples, AreEncodedBeforeTheyAreAveraged) {
 }
 
 TEST(Samples, AreTapsOfTheRegion) {
-  const DepthMap map = noise(5, 5, 4);
+  const DepthMap map = sampledNoise(5, 5, 4);
   const Region region = regionAtTexel(map, {KernelShape::Box, 1}, 2, 2);
   ASSERT_EQ(region.texels.size(), 36u);
   EXPECT_EQ(region.samples, 4);
@@ -201,7 +201,7 @@ TEST(Samples, AreTapsOfTheRegion) {
 }
 
 TEST(Samples, AreReducedLikeTheWholeMaps) {
-  const DepthMap map = noise(9, 9, 8);
+  const DepthMap map = sampledNoise(9, 9, 8);
   const Kernel kernel{KernelShape::Gaussian, 2};
   for (const char* id : {"vsm", "power-cdf"}) {
     const auto technique = allTechniques().make(id);

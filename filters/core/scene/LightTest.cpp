@@ -17,13 +17,13 @@ namespace {
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
-double uniform(std::mt19937& random, double low, double high) {
+double evenly(std::mt19937& random, double low, double high) {
   return std::uniform_real_distribution(low, high)(random);
 }
 
 Vector3d pointIn(const AlignedBox3d& box, std::mt19937& random) {
   Vector3d point;
-  for (int i = 0; i < 3; ++i) point[i] = uniform(random, box.min()[i], box.max()[i]);
+  for (int i = 0; i < 3; ++i) point[i] = evenly(random, box.min()[i], box.max()[i]);
   return point;
 }
 
@@ -37,10 +37,10 @@ Light someLight(LightKind kind, std::mt19937& random) {
   Light light;
   light.kind = kind;
   do {
-    for (int i = 0; i < 3; ++i) light.position[i] = uniform(random, -20.0, 20.0);
-    for (int i = 0; i < 3; ++i) light.target[i] = uniform(random, -2.0, 2.0);
+    for (int i = 0; i < 3; ++i) light.position[i] = evenly(random, -20.0, 20.0);
+    for (int i = 0; i < 3; ++i) light.target[i] = evenly(random, -2.0, 2.0);
   } while ((light.position - light.target).norm() < 1.0);
-  light.halfAngle = uniform(random, 5.0, 60.0);
+  light.halfAngle = evenly(random, 5.0, 60.0);
   return light;
 }
 
@@ -60,8 +60,8 @@ TEST_P(EveryLight, ProjectsAndUnprojectsToTheSamePlace) {
   std::mt19937 random(3);
   for (int i = 0; i < 300; ++i) {
     const LightFrame frame = fitLightFrame(someLight(GetParam(), random), someBox(random));
-    const double u = uniform(random, 0.0, 1.0), v = uniform(random, 0.0, 1.0),
-                 z = uniform(random, 0.0, 1.0);
+    const double u = evenly(random, 0.0, 1.0), v = evenly(random, 0.0, 1.0),
+                 z = evenly(random, 0.0, 1.0);
     const LightPoint back = frame.project(frame.unproject(u, v, z));
     EXPECT_TRUE(back.inside);
     EXPECT_NEAR(back.u, u, coordinateTolerance);

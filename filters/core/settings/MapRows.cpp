@@ -32,7 +32,7 @@ Text ofOneMap(const Frame& frame) {
   return frame.map.cascades.count > 1 ? "" : "there is one cascade";
 }
 
-constexpr SettingRow<Frame> rows[] = {
+constexpr SettingRow<Frame> ofMap[] = {
     settingRow<&Frame::map, &MapSettings::size>({.name = "map.size",
                                                  .key = "frame.mapSize",
                                                  .option = "--map-size",
@@ -198,7 +198,7 @@ constexpr SettingRow<Frame> rows[] = {
 }  // namespace
 
 std::span<const SettingRow<FrameSettings>> mapRows() {
-  return rows;
+  return ofMap;
 }
 
 }  // namespace umbra

@@ -13,13 +13,13 @@
 namespace umbra {
 namespace {
 
-[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& what) {
+[[noreturn]] void refuseInput(const std::filesystem::path& file, const std::string& what) {
   throw Error(ErrorKind::BadInput, file.string() + ": " + what);
 }
 
 [[noreturn]] void refuseAsTheSystemDoes(const std::filesystem::path& file) {
-  if (errno == ENOENT || errno == ENOTDIR) refuse(file, "there is no such file");
-  refuse(file, "cannot be read: " + std::generic_category().message(errno));
+  if (errno == ENOENT || errno == ENOTDIR) refuseInput(file, "there is no such file");
+  refuseInput(file, "cannot be read: " + std::generic_category().message(errno));
 }
 
 // Open for reading, a regular file of a size that is known.
@@ -60,12 +60,12 @@ class OpenFile {
   void check(std::uintmax_t most) {
     struct stat status {};
     if (fstat(descriptor_, &status) != 0) refuseAsTheSystemDoes(file_);
-    if (S_ISDIR(status.st_mode)) refuse(file_, "is a folder, not a file");
-    if (!S_ISREG(status.st_mode)) refuse(file_, "is a pipe or a device, not a file");
+    if (S_ISDIR(status.st_mode)) refuseInput(file_, "is a folder, not a file");
+    if (!S_ISREG(status.st_mode)) refuseInput(file_, "is a pipe or a device, not a file");
     size_ = std::uintmax_t(status.st_size);
     if (size_ > most)
-      refuse(file_, "has " + std::to_string(size_) + " bytes, at most " + std::to_string(most) +
-                        " are read");
+      refuseInput(file_, "has " + std::to_string(size_) + " bytes, at most " +
+                             std::to_string(most) + " are read");
   }
 
   const std::filesystem::path& file_;

@@ -79,4 +79,10 @@ std::string clipped(std::string_view text) {
   return std::string(text.substr(0, end)) + "…";
 }
 
+std::string oneLine(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  while (!text.empty() && text.back() == ' ') text.pop_back();
+  return text;
+}
+
 }  // namespace umbra

@@ -24,4 +24,7 @@ std::string nearestWord(std::string_view word, std::span<const std::string> cand
 // Text of an input as a message quotes it: its first 80 bytes and "…", where it is longer.
 std::string clipped(std::string_view text);
 
+// The lines of a text as one, without spaces at its end.
+std::string oneLine(std::string text);
+
 }  // namespace umbra

@@ -14,7 +14,7 @@ namespace umbra {
 namespace {
 
 constexpr double largestZoom = 64.0;
-constexpr double clickDistance = 4.0;  // widget pixels that a click may wander
+constexpr double clickReach = 4.0;     // widget pixels that a click may wander
 constexpr double pointDistance = 2.0;  // widget pixels between two points of a lasso
 constexpr double markRadius = 6.0;
 const QColor underline{0x1f, 0x29, 0x33, 0x90};  // keeps lines visible on light ground
@@ -180,7 +180,7 @@ void PictureCanvas::mouseMoveEvent(QMouseEvent* event) {
     emit left();
   if (!pressed_ || !(event->buttons() & Qt::LeftButton)) return;
   if (drawn_.isEmpty()) {
-    if (lengthOf(point - *pressed_) <= clickDistance) return;
+    if (lengthOf(point - *pressed_) <= clickReach) return;
     drawn_ << toPicture(*pressed_);
   } else if (lengthOf(point - toWidget(drawn_.back())) < pointDistance) {
     return;

@@ -11,10 +11,10 @@ namespace {
 
 constexpr int discSpace = 24;  // before a name
 constexpr int padding = 4;
-constexpr int widestName = 190;
+constexpr int widestCell = 190;
 
 QColor colourOf(double error) {
-  const ViewColour colour = errorColour(error);
+  const ViewColour colour = colourOfError(error);
   return QColor::fromRgbF(colour[0], colour[1], colour[2]);
 }
 
@@ -102,7 +102,7 @@ QSize KeptProbesDelegate::sizeHint(const QStyleOptionViewItem& option,
   if (index.column() == KeptProbesModel::NameColumn) {
     const QString note = index.data(KeptProbesModel::NoteRole).toString();
     if (!note.isEmpty()) width += metrics.horizontalAdvance(note) + 8;
-    width = std::min(width + discSpace, widestName);
+    width = std::min(width + discSpace, widestCell);
   }
   return {width, metrics.height() + 8};
 }

@@ -14,12 +14,12 @@
 namespace umbra {
 namespace {
 
-enum Column { Symbol, Value, Formula, Meaning, ColumnCount };
+enum TraceColumn { Symbol, Value, Formula, Meaning, TraceColumnCount };
 
 }  // namespace
 
 TracePane::TracePane(QWidget* parent)
-    : Card({}, parent), sentence_(new QLabel), view_(new QTableWidget(0, ColumnCount)) {
+    : Card({}, parent), sentence_(new QLabel), view_(new QTableWidget(0, TraceColumnCount)) {
   auto* copy = new QToolButton;
   copy->setText(tr("Copy"));
   copy->setAutoRaise(true);
@@ -76,7 +76,7 @@ void TracePane::setStep(int row, const TraceStep& step, bool culprit) {
   const QString texts[] = {QString::fromStdString(step.symbol), style::figure(step.value),
                            QString::fromStdString(step.formula),
                            QString::fromStdString(step.meaning)};
-  for (int column = 0; column < ColumnCount; ++column) {
+  for (int column = 0; column < TraceColumnCount; ++column) {
     auto* item = new QTableWidgetItem(texts[column]);
     if (column == Value) {
       item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);

@@ -11,14 +11,15 @@
 namespace umbra {
 namespace {
 
-struct Mode {
+struct ComparisonEntry {
   ComparisonMode mode;
   const char* text;
   const char* key;
 };
-constexpr Mode comparisonModes[] = {{ComparisonMode::Single, "&One picture", "F8"},
-                                    {ComparisonMode::Wipe, "&Wipe over two techniques", "F9"},
-                                    {ComparisonMode::Grid, "&Panes side by side", "F11"}};
+constexpr ComparisonEntry comparisonModes[] = {
+    {ComparisonMode::Single, "&One picture", "F8"},
+    {ComparisonMode::Wipe, "&Wipe over two techniques", "F9"},
+    {ComparisonMode::Grid, "&Panes side by side", "F11"}};
 constexpr double wipeStep = 0.05;  // of the picture's width
 
 }  // namespace
@@ -38,7 +39,7 @@ CompareMenu::CompareMenu(SessionController& controller, QWidget* parent)
 }
 
 void CompareMenu::addModes() {
-  for (const Mode& mode : comparisonModes) {
+  for (const ComparisonEntry& mode : comparisonModes) {
     QAction* action = umbra::addAction(*this, tr(mode.text), QKeySequence(mode.key), [this, mode] {
       controller_.editPanes(tr("Compare techniques"),
                             [&](Workspace& workspace) { setMode(workspace, mode.mode); });

@@ -9,12 +9,12 @@
 namespace umbra {
 namespace {
 
-struct Mode {
+struct ViewEntry {
   ViewMode mode;
   const char* text;
   int key;
 };
-constexpr Mode viewModes[] = {
+constexpr ViewEntry viewModes[] = {
     {ViewMode::Shaded, "Shaded", Qt::Key_F2},      {ViewMode::Visibility, "Visibility", Qt::Key_F3},
     {ViewMode::Error, "Signed error", Qt::Key_F4}, {ViewMode::Depth, "Depth", Qt::Key_F5},
     {ViewMode::Layers, "Layers", Qt::Key_F6},      {ViewMode::Cascades, "Cascades", Qt::Key_F7}};
@@ -42,7 +42,7 @@ QList<QAction*> ViewMenu::modes() const {
 }
 
 void ViewMenu::addModes() {
-  for (const Mode& mode : viewModes) {
+  for (const ViewEntry& mode : viewModes) {
     QAction* action = umbra::addAction(*this, tr(mode.text), QKeySequence(mode.key), [this, mode] {
       controller_.edit(tr("View %1").arg(tr(mode.text).toLower()),
                        [&](Session& session) { session.frame.view = mode.mode; });
