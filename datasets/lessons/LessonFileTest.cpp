@@ -8,6 +8,7 @@
 #include <set>
 
 #include "datasets/lessons/LessonCatalogue.h"
+#include "datasets/lessons/LessonNumbers.h"
 #include "filters/core/support/Error.h"
 #include "filters/core/support/TemporaryFolder.h"
 
@@ -20,8 +21,7 @@ Json session() {
   return {{"format", "umbrascope-session/1"},
           {"source", {{"scene", "two-planes"}}},
           {"technique", "vsm"},
-          {"size", {320, 180}},
-          {"probe", {10, 20}}};
+          {"size", {320, 180}}};
 }
 
 Json sample() {
@@ -33,10 +33,15 @@ Json sample() {
                    {"quantity", "rmse"},
                    {"relation", "<"},
                    {"than", {{"quantity", "rmse"}, {"technique", "pcf"}, {"step", 1}}}};
-  const Json first{{"title", "One"}, {"text", "Text"}, {"session", session()}};
-  const Json second{{"title", "Two"},       {"text", {"a", "", "    f = 1"}},
-                    {"look", "there"},      {"session", session()},
-                    {"question", question}, {"claims", Json::array({claim})}};
+  const Json at{{"world", {1.5, 0, -2}}};
+  const Json first{{"title", "One"}, {"text", "Text"}, {"at", at}, {"session", session()}};
+  const Json second{{"title", "Two"},
+                    {"text", {"a", "", "    f = {{variance}}"}},
+                    {"look", "there"},
+                    {"at", at},
+                    {"session", session()},
+                    {"question", question},
+                    {"claims", Json::array({claim})}};
   return {{"format", "umbrascope-lesson/1"}, {"name", "sample"},  {"title", "Sample"},
           {"summary", "What it is about"},   {"after", "Nobody"}, {"steps", {first, second}}};
 }
@@ -58,13 +63,30 @@ TEST(LessonFile, ReadsEveryKey) {
   ASSERT_EQ(lesson.steps.size(), 2u);
   EXPECT_FALSE(lesson.steps[0].question);
   const LessonStep& step = lesson.steps[1];
-  EXPECT_EQ(step.text, "a\n\n    f = 1");
-  EXPECT_EQ(step.session.probe->y, 20);
+  EXPECT_EQ(step.text, "a\n\n    f = {{variance}}");
+  EXPECT_EQ(step.at, Eigen::Vector3d(1.5, 0, -2));
+  EXPECT_EQ(probeNamed(step.session.probes, step.session.keptProbe)->point, step.at);
   ASSERT_TRUE(step.question);
   EXPECT_EQ(step.question->asked, (LessonQuantity{Quantity::Visibility, "vsm", 1}));
   EXPECT_EQ(step.question->explanation, "First line\nsecond line");
   ASSERT_EQ(step.claims.size(), 1u);
   EXPECT_EQ(step.claims[0].right, (LessonQuantity{Quantity::Rmse, "pcf", 0}));
+}
+
+TEST(LessonNumbers, AreFilledInAsFarAsTheyAreKnown) {
+  const Lesson lesson = lessonFromText(sample().dump(), "sample.json");
+  const auto shown = [&](std::string_view text) {
+    return filled(text, lesson.steps[1], 1, [](const LessonQuantity& quantity) {
+      if (quantity.technique == "msm") return std::optional<double>();
+      return std::optional(quantity.quantity == Quantity::Mean ? 0.25 : -1.25e-6);
+    });
+  };
+  EXPECT_EQ(shown("no number"), "no number");
+  EXPECT_EQ(shown("{{mean}} and {{ error vsm }}."), "0.25 and −1.25·10⁻⁶.");
+  EXPECT_EQ(shown("{{mean - mean}}{{mean - variance}}"), "00.25");
+  EXPECT_EQ(shown("e^{c·{{error msm}}}"), "e^{c·…}");
+  EXPECT_EQ(quantitiesIn("{{mean}} {{error msm}}", "vsm", 1, ""),
+            (std::vector<LessonQuantity>{{Quantity::Mean, "vsm", 1}, {Quantity::Error, "msm", 1}}));
 }
 
 // A hand-out's file is called by the name: one that is a path would lie elsewhere.
@@ -101,10 +123,17 @@ TEST(LessonFile, NamesFileAndKeyOfWhatIsWrong) {
       {with("/steps/1/texts", "x"), "sample.json: steps[2].texts"},
       {with("/steps/1/text", Json::array({1})), "sample.json: steps[2].text"},
       {with("/steps/1/session/technique", "vms"), "sample.json: steps[2].session.technique"},
-      {with("/steps/1/session/probe", Json{320, 0}), "sample.json: steps[2].session.probe"},
+      {with("/steps/1/session/probe", Json{160, 90}),
+       "sample.json: steps[2].session.probe: a pixel"},
+      {with("/steps/1/at", Json{{"pixel", {1, 2}}}), "sample.json: steps[2].at.pixel"},
+      {with("/steps/1/look", "{{varianse}}"), "sample.json: steps[2]: there is no quantity"},
+      {with("/steps/1/look", "{{error vms}}"), "sample.json: steps[2]"},
+      {with("/steps/1/look", "{{rmse}}"), "sample.json: steps[2]: 'rmse' is of the whole frame"},
+      {with("/steps/1/look", "{{mean"), "sample.json: steps[2]: '{{' has no"},
+      {with("/steps/1/question/text", "{{visibility}}?"), "sample.json: steps[2].question.text"},
       {with("/steps/1/session/source", Json{{"depth", "m.exr"}}),
        "sample.json: steps[2].session.source"},
-      {without("/steps/1/session", "probe"), "sample.json: steps[2].session: needs a 'probe'"},
+      {without("/steps/1", "at"), "sample.json: steps[2]: needs an 'at'"},
       {without("/steps/1", "session"), "sample.json: steps[2]: needs a 'session'"},
       {with("/steps/1/question/quantity", "light"), "sample.json: steps[2].question.quantity"},
       {with("/steps/1/question/quantity", "rmse"), "sample.json: steps[2].question.quantity"},

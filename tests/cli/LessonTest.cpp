@@ -22,12 +22,21 @@ TEST_P(LessonClaims, HoldWhenTheyAreComputed) {
   const Outcome outcome = run({"lesson", "check", GetParam(), "--json"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   const Json report = outcome.json();
-  EXPECT_EQ(report["lesson"], GetParam());
+  EXPECT_EQ(report["format"], "umbrascope-lesson-check/1");
+  EXPECT_TRUE(report["holds"]);
+  const std::size_t shapes = report["shapes"].size();
+  EXPECT_EQ(shapes, 4u);
+  ASSERT_EQ(report["lessons"].size(), 1u);
+  EXPECT_EQ(report["lessons"][0]["name"], GetParam());
   const Lesson lesson = lessonNamed(GetParam());
-  std::size_t claims = 0;
-  for (const LessonStep& step : lesson.steps) claims += step.claims.size();
-  EXPECT_EQ(report["claims"].size(), claims);
-  for (const Json& claim : report["claims"]) EXPECT_TRUE(claim["holds"]) << claim.dump();
+  const Json& steps = report["lessons"][0]["steps"];
+  ASSERT_EQ(steps.size(), lesson.steps.size());
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const LessonStep& step = lesson.steps[i];
+    EXPECT_EQ(steps[i]["step"], i + 1);
+    EXPECT_EQ(steps[i]["claims"].size(), shapes * (step.claims.size() + (step.question ? 1 : 0)));
+    for (const Json& claim : steps[i]["claims"]) EXPECT_TRUE(claim["holds"]) << claim.dump();
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, LessonClaims, testing::ValuesIn(lessonNames()),
@@ -86,10 +95,10 @@ TEST(Lesson, ATeachersOwnFileIsCheckedAndItsErrorsNameTheKey) {
   const auto write = [&](const char* technique, const char* value) {
     std::ofstream(file)
         << R"({"format": "umbrascope-lesson/1", "name": "own", "title": "Own", "summary": "S",
-               "steps": [{"title": "T", "text": "Text", "session": {
+               "steps": [{"title": "T", "text": "Text", "at": {"world": [0, 0, 0.9]}, "session": {
                  "format": "umbrascope-session/1", "source": {"scene": "two-planes"},
                  "technique": ")"
-        << technique << R"(", "size": [160, 90], "probe": [80, 60]},
+        << technique << R"(", "size": [160, 90]},
                "claims": [{"text": "C", "quantity": "channels", "relation": "≈", "value": )"
         << value << R"(, "tolerance": 0}]}]})";
   };

@@ -40,6 +40,7 @@ class LessonsTest : public WindowFixture {
  private slots:
   void lightBleedingIsPredictedThenMeasured();
   void aLessonIsWalkedByKeyAndKeepsItsPredictions();
+  void stepsMeasureTheSameInEveryWindow();
   void aLessonLeavesOnesOwnSessionAsItWas();
   void quittingInALessonRemembersOnesOwnSession();
 };
@@ -68,6 +69,11 @@ void LessonsTest::lightBleedingIsPredictedThenMeasured() {
   QVERIFY(question.isVisible());
   QVERIFY(question.measuredText().isEmpty());
 
+  // Nothing is predicted for the reader.
+  QVERIFY(!window.findChild<QPushButton*>("predictionButton")->isEnabled());
+  QTest::keyClick(question.field(), Qt::Key_Return);
+  QVERIFY(window.lessons().progress()->veiled());
+
   // The prediction is made by the slider, then set to the figure in the field, with Enter.
   question.slider()->setValue(question.slider()->maximum() / 4);
   QCOMPARE(question.field()->value(), 0.25);
@@ -83,7 +89,7 @@ void LessonsTest::lightBleedingIsPredictedThenMeasured() {
   QCOMPARE(question.measuredText(), QString::number(measured, 'f', 3));
   QVERIFY(std::abs(measured - predicted) <=
           window.lessons().progress()->current().question->tolerance);
-  QVERIFY(question.verdict().startsWith("They agree"));
+  QVERIFY(question.verdict().startsWith("Right: you said"));
   QCOMPARE(window.prober().report()->probe.reference, 0.0);
 }
 
@@ -97,13 +103,13 @@ void LessonsTest::aLessonIsWalkedByKeyAndKeepsItsPredictions() {
   key(Qt::Key_Right, Qt::AltModifier);
   QCOMPARE(step(), std::size_t(1));
   window.lessons().predict(0.07);
-  QVERIFY(window.lessonPane().question().verdict().startsWith("Off by"));
+  QVERIFY(window.lessonPane().question().verdict().startsWith("You said 0.070"));
   key(Qt::Key_Right, Qt::AltModifier);
   QVERIFY(window.lessons().progress()->veiled());
   key(Qt::Key_Left, Qt::AltModifier);
   QVERIFY(!window.lessons().progress()->veiled());
   QCOMPARE(*window.lessons().progress()->prediction(), 0.07);
-  QVERIFY(window.lessonPane().question().verdict().startsWith("Off by"));
+  QVERIFY(window.lessonPane().question().verdict().startsWith("You said 0.070"));
   // What is changed in a step is put back with it.
   window.controller().edit("kernel", [](Session& s) { s.frame.kernel.radius = 1; });
   window.lessons().restart();
@@ -114,6 +120,37 @@ void LessonsTest::aLessonIsWalkedByKeyAndKeepsItsPredictions() {
   settle();
   QVERIFY(!window.lessons().progress());
   QVERIFY(!window.findChild<QDockWidget*>("lessonDock")->isVisible());
+}
+
+// What a lesson tells is true on whatever screen it is read.
+void LessonsTest::stepsMeasureTheSameInEveryWindow() {
+  MainWindow& window = open();
+  std::map<std::string, double> first;
+  for (const QSize size : {QSize(1280, 720), QSize(1000, 900), QSize(1600, 900)}) {
+    window.resize(size);
+    settle();
+    for (const char* name : {"vsm-planes", "half-floats"}) {
+      window.enterLesson(lessonNamed(name));
+      while (true) {
+        const LessonProgress& progress = *window.lessons().progress();
+        settle();
+        if (progress.veiled()) {
+          window.lessons().predict(progress.current().question->low);
+          settle();
+          const std::string key = std::string(name) + std::to_string(progress.step);
+          const double tolerance = progress.current().question->tolerance;
+          QVERIFY(window.lessons().measurement().has_value());
+          const double measured = *window.lessons().measurement();
+          const double before = first.emplace(key, measured).first->second;
+          QVERIFY2(std::abs(measured - before) <= tolerance / 2.0, key.c_str());
+        }
+        if (progress.atLast()) break;
+        window.lessons().next();
+      }
+      window.lessons().leave();
+    }
+  }
+  QVERIFY(first.size() >= 3);
 }
 
 void LessonsTest::aLessonLeavesOnesOwnSessionAsItWas() {
