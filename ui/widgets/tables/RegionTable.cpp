@@ -28,7 +28,8 @@ constexpr RowText rowTexts[] = {
     {"β", "β = (mean − min) / (max − mean)   (Gumbau et al. 2011, eq. 3)"},
     {QT_TRANSLATE_NOOP("RegionTable", "receiver"), "z_r: the shaded surface's depth, biased"},
     {QT_TRANSLATE_NOOP("RegionTable", "reference"),
-     "v_ref = Σ w [z ≥ z_r]: exact percentage-closer filtering, the reference for every technique"}};
+     "v_ref = Σ w [z ≥ z_r]: exact percentage-closer filtering, the reference for every "
+     "technique"}};
 
 QFrame* separator() {
   auto* line = new QFrame;
