@@ -2,7 +2,9 @@
 
 #include <QFontMetricsF>
 #include <algorithm>
+#include <cmath>
 
+#include "filters/gpu/ViewColours.h"
 #include "tests/widgets/Grab.h"
 #include "ui/widgets/base/Style.h"
 #include "ui/widgets/maps/ColourBar.h"
@@ -47,6 +49,22 @@ TEST(ColourBar, IsThereForTheModesWhoseColoursAreAScale) {
   for (ViewMode mode : {ViewMode::Shaded, ViewMode::Layers}) {
     bar.setView(showing(mode));
     EXPECT_TRUE(bar.isHidden());
+  }
+}
+
+// The colours of the bar are those of the picture, end for end.
+TEST(ColourBar, OfDepthsIsAsGreyAsThePicture) {
+  ColourBar bar;
+  bar.setView(showing(ViewMode::Depth));
+  bar.resize(201, 40);
+  EXPECT_TRUE(bar.toolTip().endsWith("1 … 0")) << bar.toolTip().toStdString();
+  const Grab shown(bar);
+  const int top = bar.fontMetrics().height() + 4;
+  for (const double z : {0.95, 0.5, 0.05}) {
+    const QRgb pixel = shown(int(200 * (1.0 - z)), top);
+    const int grey = int(std::lround(255.0 * double(colourOfDepth(z)[0])));
+    for (const int part : {qRed(pixel), qGreen(pixel), qBlue(pixel)})
+      EXPECT_NEAR(part, grey, 4) << z;
   }
 }
 

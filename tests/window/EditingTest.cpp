@@ -2,6 +2,7 @@
 #include <QAbstractItemModel>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QPushButton>
 #include <QSlider>
 #include <QTableView>
@@ -42,6 +43,7 @@ class EditingTest : public WindowFixture {
   void digitsSwitchTechniques();
   void keysSwitchTheView();
   void draggingTheSunMovesTheLight();
+  void lightAndCameraAreSetInNumbers();
   void draggingTheReceiverIsStudiedUntilReset();
   void aMapChannelCanBeLookedAt();
   void aProbeIsOnTheMapOfItsCascade();
@@ -225,6 +227,33 @@ void EditingTest::draggingTheSunMovesTheLight() {
   QVERIFY(!window.controller().session().camera);  // the camera stood still
   key(Qt::Key_Z, Qt::ControlModifier);
   QVERIFY(!window.controller().session().light);
+}
+
+void EditingTest::lightAndCameraAreSetInNumbers() {
+  MainWindow& window = open();
+  const auto boxesOf = [&](const char* setting) {
+    return window.findChild<QWidget*>(setting)->findChildren<QDoubleSpinBox*>();
+  };
+  const Scene& scene = *window.controller().document().content.scene;
+  QCOMPARE(boxesOf("light.position").size(), 3);
+  QCOMPARE(boxesOf("light.position")[1]->value(), scene.light.position.y());
+  boxesOf("light.position")[1]->setValue(scene.light.position.y() + 2.0);
+  boxesOf("light.position")[1]->setValue(scene.light.position.y() + 3.0);
+  settle();
+  QCOMPARE(window.controller().session().light->position.y(), scene.light.position.y() + 3.0);
+  QCOMPARE(window.controller().undoStack().count(), 1);
+  boxesOf("camera.view-angle")[0]->setValue(50.0);
+  settle();
+  QCOMPARE(window.controller().session().camera->viewAngle, 50.0);
+  QCOMPARE(window.view().camera().viewAngle, 50.0);
+  // A camera in its own target gives no picture: it is refused, and the box shows what is.
+  const Eigen::Vector3d target = scene.camera.target;
+  window.controller().edit(
+      "On the axis", [&](Session& s) { s.camera->position = target + Eigen::Vector3d::UnitX(); });
+  settle();
+  boxesOf("camera.position")[0]->setValue(target.x());
+  QCOMPARE(window.controller().session().camera->position.x(), target.x() + 1.0);
+  QCOMPARE(boxesOf("camera.position")[0]->value(), target.x() + 1.0);
 }
 
 void EditingTest::draggingTheReceiverIsStudiedUntilReset() {

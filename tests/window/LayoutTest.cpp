@@ -1,11 +1,17 @@
 // The places of picture and docks.
+#include <qwt_plot.h>
 #include <QDockWidget>
 #include <QTest>
+#include <QToolBar>
+#include <QToolTip>
+#include <algorithm>
 #include <vector>
 
 #include "tests/window/WindowFixture.h"
 #include "ui/picture/SceneView.h"
+#include "ui/probe/EvidencePanes.h"
 #include "ui/probe/Prober.h"
+#include "ui/widgets/plots/PlotPane.h"
 
 namespace umbra {
 
@@ -14,6 +20,7 @@ class LayoutTest : public WindowFixture {
 
  private slots:
   void theSmallestScreenHoldsEverything();
+  void toolTipsAreReadable();
   void aDockFloatsAndComesBack();
 };
 
@@ -33,6 +40,35 @@ void LayoutTest::theSmallestScreenHoldsEverything() {
     for (std::size_t j = 0; j < i; ++j) QVERIFY(!places[i].intersects(places[j]));
   }
   QVERIFY(window.view().width() >= 400 && window.view().height() >= 240);
+  // No tool is behind the arrow at the tool bar's end.
+  const auto* more =
+      window.findChild<QToolBar*>("tools")->findChild<QToolButton*>("qt_toolbar_ext_button");
+  QVERIFY(!more || !more->isVisible());
+}
+
+// Light on dark or dark on light, whatever style and widget they come of: of the window's own and
+// of a plot's read-out.
+void LayoutTest::toolTipsAreReadable() {
+  MainWindow& window = open();
+  for (QWidget* owner : {static_cast<QWidget*>(&window),
+                         static_cast<QWidget*>(window.evidence().curves().findChild<QwtPlot*>())}) {
+    QVERIFY(owner);
+    QToolTip::showText(window.mapToGlobal(QPoint(200, 200)), "MMMMMMMMMM", owner);
+    QWidget* tip = nullptr;
+    for (QWidget* widget : QApplication::topLevelWidgets())
+      if (widget->inherits("QTipLabel") && widget->isVisible()) tip = widget;
+    QVERIFY(tip);
+    const QImage shown = tip->grab().toImage();
+    int darkest = 255, lightest = 0;
+    for (int y = 2; y < shown.height() - 2; ++y)
+      for (int x = 2; x < shown.width() - 2; ++x) {
+        darkest = std::min(darkest, qGray(shown.pixel(x, y)));
+        lightest = std::max(lightest, qGray(shown.pixel(x, y)));
+      }
+    QVERIFY2(lightest - darkest > 150, qPrintable(QString("%1 on %2").arg(lightest).arg(darkest)));
+    QToolTip::hideText();
+    QTRY_VERIFY(!tip->isVisible());
+  }
 }
 
 void LayoutTest::aDockFloatsAndComesBack() {

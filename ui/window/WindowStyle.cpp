@@ -65,7 +65,7 @@ QString windowSheet() {
     QScrollBar::handle:hover { background: #a5aeb8; }
     QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
     QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
-    QToolTip { border: none; padding: 5px 7px; }
+    QToolTip { border: none; padding: 5px 7px; background: %3; color: white; }
   )")
       .arg(style::border.name(), style::ground.name(), style::ink.name(), style::muted.name());
 }

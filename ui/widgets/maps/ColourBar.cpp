@@ -43,7 +43,8 @@ void ColourBar::setView(const FrameSettings& settings) {
       setScale(ColourMap::Diverging, -errors, errors, tr("error v − v_ref: too dark … too light"));
       break;
     case ViewMode::Depth:
-      setScale(ColourMap::Viridis, 0.0, 1.0, tr("light-space depth z"));
+      // The picture is bright near the light: the bar runs from far to near.
+      setScale(ColourMap::Grey, 1.0, 0.0, tr("light-space depth z: far … near"));
       break;
     case ViewMode::Cascades:
       label_ = tr("cascade, from the camera outwards");

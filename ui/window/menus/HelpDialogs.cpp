@@ -46,6 +46,8 @@ void showTechniquePage(const Technique& technique, QWidget* parent) {
     page->document()->addResource(QTextDocument::ImageResource, QUrl(QString::fromStdString(name)),
                                   picture);
   }
+  // The text was laid out before it had its pictures, without room for them.
+  page->document()->markContentsDirty(0, page->document()->characterCount());
 }
 
 void showShortcuts(const std::vector<std::pair<QString, QString>>& shortcuts, QWidget* parent) {

@@ -1,10 +1,12 @@
 #include "ui/window/menus/ViewMenu.h"
 
 #include <QActionGroup>
+#include <QWidgetAction>
 
 #include "ui/session/SessionController.h"
 #include "ui/window/menus/CompareMenu.h"
 #include "ui/window/menus/MenuActions.h"
+#include "ui/window/menus/ViewpointForms.h"
 
 namespace umbra {
 namespace {
@@ -33,8 +35,16 @@ ViewMenu::ViewMenu(SessionController& controller, QWidget* parent)
   umbra::addAction(*this, tr("The scene's &light"), QKeySequence("Shift+Home"), [this] {
     controller_.edit(tr("Reset light"), [](Session& session) { session.light.reset(); });
   });
+  addForm(tr("Ca&mera in numbers"), makeCameraForm(controller_));
+  addForm(tr("Li&ght in numbers"), makeLightForm(controller_));
   connect(&controller_, &SessionController::changed, this, &ViewMenu::refresh);
   refresh();
+}
+
+void ViewMenu::addForm(const QString& title, QWidget* form) {
+  auto* action = new QWidgetAction(this);
+  action->setDefaultWidget(form);
+  addMenu(title)->addAction(action);
 }
 
 QList<QAction*> ViewMenu::modes() const {

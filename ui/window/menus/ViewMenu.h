@@ -22,6 +22,7 @@ class ViewMenu : public QMenu {
 
  private:
   void addModes();
+  void addForm(const QString& title, QWidget* form);
   void refresh();
 
   SessionController& controller_;

@@ -26,7 +26,6 @@ WindowToolBar::WindowToolBar(SessionController& controller, WindowMenus& menus, 
   scene_ = addMenuButton(tr("Scene"), &menus.scene());
   adjust_ = addMenuButton(tr("Adjust"), menuOf(sceneForm_));
   addMenuButton(tr("Light"), menuOf(makeLightForm(controller_)));
-  addMenuButton(tr("Camera"), menuOf(makeCameraForm(controller_)));
   addWidget(new QLabel(tr("View")));
   addActions(menus.view().modes());
   addMenuButton(tr("Compare"), &menus.view().compare());
