@@ -1,6 +1,8 @@
 // The places of picture and docks.
+#include <qwt_legend.h>
 #include <qwt_plot.h>
 #include <QDockWidget>
+#include <QScreen>
 #include <QTest>
 #include <QToolBar>
 #include <QToolTip>
@@ -20,6 +22,7 @@ class LayoutTest : public WindowFixture {
 
  private slots:
   void theSmallestScreenHoldsEverything();
+  void plotsNameTheirCurves();
   void toolTipsAreReadable();
   void aDockFloatsAndComesBack();
 };
@@ -44,6 +47,29 @@ void LayoutTest::theSmallestScreenHoldsEverything() {
   const auto* more =
       window.findChild<QToolBar*>("tools")->findChild<QToolButton*>("qt_toolbar_ext_button");
   QVERIFY(!more || !more->isVisible());
+}
+
+// A legend that has its room shows its names there, on the screen, from the first probe on.
+void LayoutTest::plotsNameTheirCurves() {
+  MainWindow& window = open();
+  auto* plot = window.evidence().curves().findChild<QwtPlot*>();
+  QVERIFY(plot->legend() && plot->legend()->isVisible());
+  const QRect place(plot->legend()->mapToGlobal(QPoint(0, 0)), plot->legend()->size());
+  const QImage wanted = plot->legend()->grab().toImage().convertToFormat(QImage::Format_RGB32);
+  const QImage shown = window.screen()
+                           ->grabWindow(0, place.x(), place.y(), place.width(), place.height())
+                           .toImage()
+                           .convertToFormat(QImage::Format_RGB32);
+  QCOMPARE(shown.size(), wanted.size());
+  int inked = 0, missing = 0;
+  for (int y = 0; y < wanted.height(); ++y)
+    for (int x = 0; x < wanted.width(); ++x) {
+      if (qGray(wanted.pixel(x, y)) > 160) continue;
+      ++inked;
+      missing += qGray(shown.pixel(x, y)) > 200;
+    }
+  QVERIFY(inked > 100);
+  QVERIFY2(missing < inked / 20, qPrintable(QString("%1 of %2").arg(missing).arg(inked)));
 }
 
 // Light on dark or dark on light, whatever style and widget they come of: of the window's own and

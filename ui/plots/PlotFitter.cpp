@@ -106,7 +106,12 @@ void PlotFitter::fitLegend() {
     legend->contentsWidget()->layout()->setContentsMargins(0, 0, 0, 0);
   }
   widget_.insertLegend(legend, *position, 0.6);
-  for (QwtLegendLabel* label : legend->findChildren<QwtLegendLabel*>()) label->setMargin(1);
+  for (QwtLegendLabel* label : legend->findChildren<QwtLegendLabel*>()) {
+    label->setMargin(1);
+    // Qwt stops a label's updates while it sets the label, and for good where they were stopped
+    // already: as in a stack of pages that turns to the plot.
+    label->setUpdatesEnabled(true);
+  }
 }
 
 void PlotFitter::fitTitles() {
