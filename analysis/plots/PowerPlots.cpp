@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "analysis/plots/PlotParts.h"
 #include "analysis/plots/ProbePlots.h"
 #include "filters/core/support/Text.h"
+#include "filters/core/technique/VisibleError.h"
 
 namespace umbra {
 namespace {
@@ -28,7 +32,39 @@ PlotSeries empirical(const Probe& probe) {
   return series;
 }
 
+// The technique's channel of that name, as the frame reads it.
+double channelOf(const TechniqueResult& result, std::string_view name) {
+  const std::vector<Channel> layout = result.technique->channels();
+  const auto found = std::find_if(layout.begin(), layout.end(),
+                                  [&](const Channel& channel) { return channel.name == name; });
+  return result.channels[std::size_t(found - layout.begin())];
+}
+
 }  // namespace
+
+RegionStatistics powerFitOf(const Probe& probe) {
+  RegionStatistics fit = probe.statistics;
+  const TechniqueResult* used = resultOf(probe, "power-cdf");
+  if (!used) return fit;
+  fit.min = channelOf(*used, "min");
+  fit.max = std::max(fit.min, channelOf(*used, "max"));
+  fit.mean = std::clamp(channelOf(*used, "mean"), fit.min, fit.max);
+  fit.beta = fit.max > fit.mean ? (fit.mean - fit.min) / (fit.max - fit.mean)
+                                : std::numeric_limits<double>::infinity();
+  return fit;
+}
+
+bool differs(const RegionStatistics& fit, const RegionStatistics& region) {
+  constexpr int samples = 200;
+  const double low = std::min(fit.min, region.min), high = std::max(fit.max, region.max);
+  for (int i = 0; i <= samples; ++i) {
+    const double z = std::lerp(low, high, double(i) / samples);
+    // At their ends both jump, which a rounded end puts on one side or the other.
+    if (z == low || z == high) continue;
+    if (isVisibleError(powerCdf(fit, z) - powerCdf(region, z))) return true;
+  }
+  return false;
+}
 
 double powerCdf(const RegionStatistics& s, double z) {
   if (z >= s.max) return 1.0;
@@ -52,9 +88,15 @@ Plot powerFamilyPlot(const Probe& probe) {
     plot.series.back().lineWidth = plot::thin;
   }
   plot.series.push_back(empirical(probe));
-  const RegionStatistics unit{.min = 0.0, .max = 1.0, .beta = s.beta};
-  plot.series.push_back(plot::sampled("fitted, β = " + betaText(s.beta), powerColour, {0.0, 1.0},
-                                      [&](double t) { return powerCdf(unit, t); }));
+  const RegionStatistics fit = powerFitOf(probe);
+  const auto addFit = [&](const std::string& name, const RegionStatistics& of) {
+    plot.series.push_back(
+        plot::sampled(name + ", β = " + betaText(of.beta), powerColour, {0.0, 1.0},
+                      [&](double t) { return powerCdf(of, std::lerp(s.min, s.max, t)); }));
+  };
+  const bool two = differs(fit, s);
+  if (two) addFit("this region's own fit", s);
+  addFit(two ? "fit in use" : "fitted", fit);
   plot.series.back().lineWidth = plot::thick;
   const double t = s.max > s.min ? (probe.receiver - s.min) / (s.max - s.min) : 1.0;
   if (t >= 0.0 && t <= 1.0)
@@ -64,11 +106,11 @@ Plot powerFamilyPlot(const Probe& probe) {
 }
 
 Plot residualPlot(const Probe& probe) {
-  const RegionStatistics& s = probe.statistics;
+  const RegionStatistics s = powerFitOf(probe);
   const EmpiricalCdf cdf = empiricalCdfOf(probe.region);
   const PlotRange range = plot::rangeAround(probe);
   Plot plot{.name = "residual",
-            .title = "Fitted power CDF less the exact one · β = " + betaText(s.beta),
+            .title = "Power CDF in use less the exact one · β = " + betaText(s.beta),
             .xLabel = plot::depthLabel(),
             .yLabel = "t^β − F(z)",
             .xRange = range};

@@ -10,11 +10,18 @@ namespace umbra {
 // on. For β = 0 or ∞, and where the region has one depth, it is a step.
 double powerCdf(const RegionStatistics& statistics, double z);
 
-// Power functions t^β of β = ½, 1, 2, 5 (Gumbau 2011, fig. 1) and of the region's β (eq. 3), with
-// the region's own distribution over t in [0,1].
+// The fit that power CDF shadow maps use at the probe: of the mean and the extremes as they are
+// read, which a bilinear read interpolates between texels and a format rounds. Without a result of
+// the technique it is the region's own fit. Other statistics are the region's.
+RegionStatistics powerFitOf(const Probe& probe);
+// Whether anybody sees the difference between the fit in use and the region's own.
+bool differs(const RegionStatistics& fit, const RegionStatistics& region);
+
+// Power functions t^β of β = ½, 1, 2, 5 (Gumbau 2011, fig. 1) and the fit in use (eq. 3), with the
+// region's own distribution over t in [0,1], and with the region's own fit where it differs.
 Plot powerFamilyPlot(const Probe& probe);
 
-// Plots the fitted minus the exact distribution over depth, with both ends of every jump of the
+// Plots the fit in use minus the exact distribution over depth, with both ends of every jump of the
 // exact one. The largest difference is marked.
 Plot residualPlot(const Probe& probe);
 

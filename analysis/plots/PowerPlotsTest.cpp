@@ -6,7 +6,9 @@
 #include <cmath>
 #include <string_view>
 
+#include "analysis/plots/ProbePlots.h"
 #include "analysis/probe/TestProbes.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {
@@ -60,6 +62,39 @@ TEST(PowerPlots, TheFamilyHoldsThePowersAndTheRegion) {
   EXPECT_NEAR(region.y[2], 2.0 / 3.0, 1e-15);
   ASSERT_EQ(plot.markers.size(), 1u);
   EXPECT_NEAR(plot.markers[0].position, 0.5, 1e-15);
+}
+
+// What the technique answers and what the plot draws are one: also where a bilinear read
+// interpolates the extremes of four texels, so that they are not those of the region.
+TEST(PowerPlots, ShowTheFitThatTheTechniqueUses) {
+  Probe probe = probeOfDepths({0.2, 0.3, 0.35, 0.8}, 0.5);
+  addResult(probe, allTechniques().make("power-cdf"));
+  EXPECT_FALSE(differs(powerFitOf(probe), probe.statistics));
+  EXPECT_EQ(powerFamilyPlot(probe).series.size(), 6u);
+  TechniqueResult& used = probe.techniques.front();
+  used.channels = {0.41, 0.26, 0.74};
+  // Gumbau 2011, eq. 4: the share of depths behind the receiver, as a part of that behind the mean.
+  const auto visibilityOf = [&](double inFront, double z) {
+    return z <= 0.41 ? 1.0 : (1.0 - inFront) / (1.0 - powerCdf(powerFitOf(probe), 0.41));
+  };
+  const auto usedAt = [&](double z) {
+    return used.technique->visibility({used.channels, probe.region}, z);
+  };
+  for (const double z : {0.2, 0.3, 0.5, 0.7, 0.9})
+    EXPECT_NEAR(visibilityOf(powerCdf(powerFitOf(probe), z), z), usedAt(z), 1e-12) << z;
+  EXPECT_TRUE(differs(powerFitOf(probe), probe.statistics));
+  const Plot family = powerFamilyPlot(probe);
+  ASSERT_EQ(family.series.size(), 7u);
+  const double beta = (0.41 - 0.26) / (0.74 - 0.41);
+  const PlotSeries& inUse = named(family, "fit in use, β = " + shortNumber(beta));
+  for (std::size_t i = 1; i + 1 < inUse.x.size(); ++i) {
+    const double z = std::lerp(0.2, 0.8, inUse.x[i]);
+    EXPECT_NEAR(visibilityOf(inUse.y[i], z), usedAt(z), 1e-12) << z;
+  }
+  const Plot cdf = cdfPlot(probe);
+  EXPECT_NO_THROW(named(cdf, "power CDF t^β, β = " + shortNumber(beta)).x.at(0));
+  EXPECT_NO_THROW(named(cdf, "this region's own fit").x.at(0));
+  EXPECT_NE(residualPlot(probe).title.find("β = " + shortNumber(beta)), std::string::npos);
 }
 
 // Half a step of the empirical distribution, and β of n quantiles is off by at most (β+1)²/2n,

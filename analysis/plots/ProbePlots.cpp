@@ -123,10 +123,16 @@ Plot cdfPlot(const Probe& probe) {
   exact.y.push_back(1.0);
   plot.series.push_back(std::move(exact));
 
-  const std::string beta = std::isinf(s.beta) ? "∞" : shortNumber(s.beta);
+  const auto addPower = [&](const std::string& name, std::string_view colour,
+                            const RegionStatistics& fit) {
+    const std::string beta = std::isinf(fit.beta) ? "∞" : shortNumber(fit.beta);
+    plot.series.push_back(
+        sampled(name + ", β = " + beta, colour, range, [&](double z) { return powerCdf(fit, z); }));
+  };
+  const RegionStatistics inUse = powerFitOf(probe);
+  if (differs(inUse, s)) addPower("this region's own fit", tint(powerColour, 0.5), s);
+  addPower("power CDF t^β", powerColour, inUse);
   const std::string chebyshev = "Chebyshev 1 − p_max";
-  plot.series.push_back(sampled("power CDF t^β, β = " + beta, powerColour, range,
-                                [&](double z) { return powerCdf(s, z); }));
   plot.series.push_back(
       sampled(chebyshev, chebyshevColour, range, [&](double z) { return chebyshevCdf(s, z); }));
 
