@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
+#include <set>
 #include <string>
 
 #include "analysis/plots/PlotParts.h"
@@ -17,16 +20,27 @@ namespace {
 constexpr std::string_view fourierColour = "#8c6d31";
 constexpr std::string_view scaleColour = "#7b4fa3";
 
-// The largest value of the series and where it is, on the lit side of the step; it is symmetric
-// about t = ½.
-std::pair<double, double> highestOf(const csm::FourierSeries& series) {
-  const int steps = 256 * series.terms();
-  std::pair<double, double> highest{0.0, 0.0};
-  for (int i = 0; i <= steps; ++i) {
-    const double t = 0.5 * i / steps;
-    if (series(t) > highest.second) highest = {t, series(t)};
+struct Swing {
+  double at, exact, value;
+};
+
+// The largest swing that is left after the clamp to [0,1], beyond the step itself: in shadow from
+// where the function has come down to 0, in the light from where it has come up to 1. None where it
+// never gets there. Beyond a quarter of the period the next step begins.
+std::optional<Swing> ringingOf(const std::function<double(double)>& mode, int terms) {
+  std::optional<Swing> largest;
+  const int steps = 256 * terms;
+  for (const double exact : {0.0, 1.0}) {
+    bool settled = false;
+    for (int i = 0; i <= steps; ++i) {
+      const double t = (exact - 0.5) * 0.5 * i / steps, value = mode(t);
+      settled = settled || value == exact;
+      const double swing = std::abs(value - exact);
+      if (settled && swing > (largest ? std::abs(largest->value - largest->exact) : 0.0))
+        largest = {t, exact, value};
+    }
   }
-  return highest;
+  return largest;
 }
 
 // The parameters of the probe's technique csm, or the defaults where the probe has none.
@@ -36,12 +50,11 @@ csm::CsmParameters parametersOf(const Probe& probe) {
   return technique ? technique->values : csm::CsmParameters();
 }
 
-// The visibility of `region` by csm in offset mode, for receivers at `depths`.
-std::vector<double> visibilitiesOf(const Region& region, int terms, double attenuation,
+// The visibility of `region` by csm with these parameters, for receivers at `depths`.
+std::vector<double> visibilitiesOf(const Region& region, const csm::CsmParameters& parameters,
                                    const std::vector<double>& depths) {
   csm::Csm technique;
-  technique.values.terms = terms;
-  technique.values.attenuation = attenuation;
+  technique.values = parameters;
   const csm::FourierSeries series = technique.series();
   const std::vector<double> channels = prefilteredRegion(region, technique, StorageFormat::Double);
   std::vector<double> values;
@@ -52,7 +65,7 @@ std::vector<double> visibilitiesOf(const Region& region, int terms, double atten
 
 }  // namespace
 
-Plot fourierStepPlot(int terms, double attenuation) {
+Plot fourierStepPlot(int terms, double attenuation, csm::Mode mode) {
   const PlotRange range{-0.5, 0.5};
   const double shown = attenuation > 0.0 ? attenuation : 1.0;
   const csm::FourierSeries plain(terms, 0.0), damped(terms, shown);
@@ -79,18 +92,22 @@ Plot fourierStepPlot(int terms, double attenuation) {
   add("attenuated, α = " + shortNumber(shown),
       plot::tint(fourierColour, attenuation > 0.0 ? 1.0 : 0.55), plot::thin, damped);
   plot.series.back().dashed = attenuation <= 0.0;
-  add("offset mode, o = " + plot::fixed3(used.offset()), depthColour, plot::thick,
-      [&](double t) { return std::clamp(used(t + used.offset()), 0.0, 1.0); });
-  add("scale mode, 2f", scaleColour, plot::normal,
-      [&](double t) { return std::clamp(2.0 * used(t), 0.0, 1.0); });
-  const auto [at, highest] = highestOf(used);
-  plot::addError(plot, at, 1.0, highest, "ringing " + plot::signed3(highest - 1.0));
+  const auto offset = [&](double t) { return std::clamp(used(t + used.offset()), 0.0, 1.0); };
+  const auto scaled = [&](double t) { return std::clamp(2.0 * used(t), 0.0, 1.0); };
+  const bool offsets = mode == csm::Mode::Offset;
+  add("offset mode, o = " + plot::fixed3(used.offset()), depthColour,
+      offsets ? plot::thick : plot::normal, offset);
+  add("scale mode, 2f", scaleColour, offsets ? plot::normal : plot::thick, scaled);
+  const auto inUse = offsets ? std::function<double(double)>(offset) : scaled;
+  if (const auto left = ringingOf(inUse, terms))
+    plot::addError(plot, left->at, left->exact, left->value,
+                   "ringing " + plot::signed3(left->value - left->exact));
   return plot;
 }
 
 Plot fourierStepPlot(const Probe& probe) {
   const csm::CsmParameters parameters = parametersOf(probe);
-  return fourierStepPlot(parameters.terms, parameters.attenuation);
+  return fourierStepPlot(parameters.terms, parameters.attenuation, parameters.mode);
 }
 
 Plot fourierTermsPlot(const Probe& probe) {
@@ -99,7 +116,8 @@ Plot fourierTermsPlot(const Probe& probe) {
   const PlotRange range = plot::rangeAround(probe);
   Plot plot{
       .name = "fourier-terms",
-      .title = "Visibility of the region from M Fourier terms · α = " + shortNumber(attenuation),
+      .title = "Visibility of the region from M Fourier terms · α = " + shortNumber(attenuation) +
+               ", " + std::string(csm::modeNames[std::size_t(used.mode)]) + " mode",
       .xLabel = plot::depthLabel(),
       .yLabel = "visibility",
       .xRange = range,
@@ -109,11 +127,14 @@ Plot fourierTermsPlot(const Probe& probe) {
   exact.lineWidth = plot::normal;
   const std::vector<double> depths = exact.x;
   plot.series.push_back(std::move(exact));
-  for (int terms : {1, 2, 4, 8, 16}) {
+  std::set<int> counts{1, 2, 4, 8, 16};
+  if (resultOf(probe, "csm")) counts.insert(used.terms);
+  for (const int terms : counts) {
+    csm::CsmParameters parameters = used;
+    parameters.terms = terms;
     PlotSeries series{"M = " + std::to_string(terms),
                       plot::tint(fourierColour, 0.25 + 0.15 * std::log2(2.0 * terms)),
-                      SeriesStyle::Line, depths,
-                      visibilitiesOf(probe.region, terms, attenuation, depths)};
+                      SeriesStyle::Line, depths, visibilitiesOf(probe.region, parameters, depths)};
     series.lineWidth = terms == used.terms ? plot::thick : plot::thin;
     plot.series.push_back(std::move(series));
   }
