@@ -7,7 +7,6 @@
 #include "filters/core/support/Text.h"
 
 namespace umbra {
-namespace {}  // namespace
 
 double chebyshevBound(double mean, double variance, double receiver) {
   if (receiver <= mean) return 1.0;
@@ -22,20 +21,35 @@ double bleedingOfTwoOccluders(double dx, double dy, double shareOfA) {
   return variance / (variance + distance * distance);
 }
 
-std::optional<TwoOccluders> twoOccludersOf(const Probe& probe) {
-  TwoOccluders planes{1.0, 0.0, probe.receiver, 0.5};
-  double weight = 0.0, sum = 0.0;
+std::optional<Occluders> Occluders::of(const Probe& probe) {
+  double nearest = probe.receiver, farthest = -1.0;
   for (const RegionTexel& texel : probe.region.texels) {
     if (texel.depth >= probe.receiver) continue;
-    planes.a = std::min(planes.a, texel.depth);
-    planes.b = std::max(planes.b, texel.depth);
-    weight += texel.weight;
-    sum += texel.weight * texel.depth;
+    nearest = std::min(nearest, texel.depth);
+    farthest = std::max(farthest, texel.depth);
   }
-  if (weight == 0.0) return std::nullopt;
-  if (planes.a < planes.b)
-    planes.shareOfA = std::clamp((planes.b - sum / weight) / (planes.b - planes.a), 0.0, 1.0);
-  return planes;
+  if (farthest <= nearest) return std::nullopt;
+  Occluders occluders;
+  occluders.spread_ = farthest - nearest;
+  occluders.gap_ = probe.receiver - farthest;
+  for (const RegionTexel& texel : probe.region.texels) {
+    const bool blocks = texel.depth < probe.receiver;
+    const double distance = blocks ? farthest - texel.depth : texel.depth - probe.receiver;
+    const double sum = texel.weight * distance, squares = sum * distance;
+    occluders.weight_ += blocks ? texel.weight : 0.0;
+    (blocks ? occluders.apart_ : occluders.behind_) += sum;
+    (blocks ? occluders.apartSquared_ : occluders.behindSquared_) += squares;
+  }
+  return occluders;
+}
+
+// Moments about the receiver, so that no digits are lost: occluders are at −dy − scale·(B − d).
+double Occluders::boundAt(double dx, double dy) const {
+  const double scale = dx / spread_;
+  const double mean = -dy * weight_ - scale * apart_ + behind_;
+  const double square = dy * dy * weight_ + 2.0 * dy * scale * apart_ +
+                        scale * scale * apartSquared_ + behindSquared_;
+  return chebyshevBound(mean, std::max(0.0, square - mean * mean), 0.0);
 }
 
 Plot varianceFamilyPlot(const Probe& probe) {
@@ -70,34 +84,30 @@ Plot varianceFamilyPlot(const Probe& probe) {
   return plot;
 }
 
-Plot occluderDistancePlot(const Probe& probe) {
-  Plot plot{.name = "distance",
-            .title = "Light bleeding as the upper occluder A moves away from B",
-            .xLabel = "Δx = B − A (normalised depth)",
-            .yLabel = "visibility of C, which is hidden",
-            .yRange = PlotRange{0.0, 1.02}};
-  const std::optional<TwoOccluders> planes = twoOccludersOf(probe);
-  if (!planes) {
-    plot.title = "Nothing lies in front of the receiver";
-    plot.xRange = PlotRange{0.0, 1.0};
-    return plot;
-  }
-  const double dx = planes->b - planes->a, dy = planes->c - planes->b, share = planes->shareOfA;
+std::optional<Plot> occluderDistancePlot(const Probe& probe) {
+  const std::optional<Occluders> occluders = Occluders::of(probe);
+  if (!occluders) return std::nullopt;
+  const double dx = occluders->spread(), dy = occluders->gap();
   const PlotRange range{0.0, std::max({2.0 * dx, 2.0 * dy, 0.02})};
-  plot.xRange = range;
+  Plot plot{.name = "distance",
+            .title = "The bound of variance shadow maps as the occluders move apart",
+            .xLabel = "Δx, from the farthest occluder to the nearest (normalised depth)",
+            .yLabel = "visibility p_max",
+            .xRange = range,
+            .yRange = PlotRange{0.0, 1.02}};
   for (const auto& [factor, tint] : {std::pair{0.5, 0.55}, {1.0, 1.0}, {2.0, 0.7}}) {
     const double gap = factor * dy;
     PlotSeries series =
         plot::sampled("Δy = " + plot::fixed3(gap), plot::tint(chebyshevColour, tint), range,
-                      [&](double x) { return bleedingOfTwoOccluders(x, gap, share); });
+                      [&](double x) { return occluders->boundAt(x, gap); });
     series.lineWidth = factor == 1.0 ? plot::thick : plot::thin;
     plot.series.push_back(std::move(series));
   }
-  plot.title += " · A covers " + shortNumber(100.0 * share) + " %";
   plot.markers.push_back({MarkerAxis::Vertical, dx, "this region, Δx = " + plot::fixed3(dx),
                           std::string(probeColour), true});
-  const double bleeding = bleedingOfTwoOccluders(dx, dy, share);
-  plot::addError(plot, dx, 0.0, bleeding, "bleeding " + plot::signed3(bleeding));
+  const double bound = occluders->boundAt(dx, dy);
+  plot::addError(plot, dx, probe.reference, bound,
+                 "error " + plot::signed3(bound - probe.reference));
   return plot;
 }
 

@@ -17,19 +17,32 @@ double chebyshevBound(double mean, double variance, double receiver);
 // Lauritzen 2008, eq. 3.4: ¼Δx² / (½Δx² + ΔxΔy + Δy²).
 double bleedingOfTwoOccluders(double dx, double dy, double shareOfA = 0.5);
 
-// Replaces a region's occluders by two planes with the same nearest and farthest depth and the same
-// mean. Nothing where no occluder lies in front of the receiver.
-struct TwoOccluders {
-  double a = 0.0, b = 0.0, c = 0.0;  // depths of A, B and the receiver
-  double shareOfA = 0.5;  // share of the occluders' weight; arbitrary where A and B coincide
+// The texels of a region that lie in front of the receiver, to be moved; the others stay.
+class Occluders {
+ public:
+  // Nothing where none lies in front, or where all that do have one depth: they cannot be drawn
+  // apart.
+  static std::optional<Occluders> of(const Probe& probe);
+
+  double spread() const { return spread_; }  // Δx, from the farthest, B, to the nearest, A; > 0
+  double gap() const { return gap_; }        // Δy, from B to the receiver; > 0
+  // p_max at the receiver once every occluder's distance to B is scaled so that A is `dx` from B,
+  // and all are moved so that B is `dy` in front of the receiver.
+  double boundAt(double dx, double dy) const;
+
+ private:
+  double spread_ = 0.0, gap_ = 0.0;
+  // Of the occluders: their weight, and the weighted sums of B − d and of its square.
+  double weight_ = 0.0, apart_ = 0.0, apartSquared_ = 0.0;
+  // Of the other texels: the weighted sums of d − z_r and of its square.
+  double behind_ = 0.0, behindSquared_ = 0.0;
 };
-std::optional<TwoOccluders> twoOccludersOf(const Probe& probe);
 
 // p_max over the receiver's depth for ½, 1, 2 and 4 times the region's variance.
 Plot varianceFamilyPlot(const Probe& probe);
 
-// Light bleeding on C as A moves away from B, with the region's B, C and shares, and for half and
-// twice the distance from B to C; the region's own Δx is marked.
-Plot occluderDistancePlot(const Probe& probe);
+// The bound at the receiver as the region's own occluders move apart, and for half and twice their
+// distance to the receiver; the region as it is is marked. Nothing where Occluders has nothing.
+std::optional<Plot> occluderDistancePlot(const Probe& probe);
 
 }  // namespace umbra

@@ -46,17 +46,27 @@ TEST(ChebyshevPlots, EveryShareIsTheBoundOfItsRegion) {
   }
 }
 
-TEST(ChebyshevPlots, TwoOccludersKeepTheMeanOfWhatBlocks) {
-  const Probe probe = probeOfDepths({0.1, 0.15, 0.4, 0.9}, 0.7);
-  const auto planes = twoOccludersOf(probe);
-  ASSERT_TRUE(planes);
-  EXPECT_EQ(planes->a, 0.1);
-  EXPECT_EQ(planes->b, 0.4);
-  EXPECT_EQ(planes->c, 0.7);
-  EXPECT_NEAR(planes->shareOfA * planes->a + (1.0 - planes->shareOfA) * planes->b, 0.65 / 3.0,
-              1e-15);
-  EXPECT_FALSE(twoOccludersOf(probeOfDepths({0.8, 0.9}, 0.8)));
-  EXPECT_EQ(twoOccludersOf(probeOfDepths({0.3, 0.3}, 0.8))->shareOfA, 0.5);
+// Whatever lies in a region: moved by nothing it has its own bound, and moved it has that of the
+// depths that it then has.
+TEST(ChebyshevPlots, MovedOccludersHaveTheBoundOfTheDepthsTheyThenHave) {
+  for (const auto& depths : {std::vector{0.1, 0.15, 0.4, 0.9}, std::vector{0.2, 0.5},
+                             std::vector{0.1, 0.3, 0.35, 0.36, 0.7, 0.95, 1.0}}) {
+    const Probe probe = probeOfDepths(depths, 0.7);
+    const auto occluders = Occluders::of(probe);
+    ASSERT_TRUE(occluders);
+    const RegionStatistics& s = probe.statistics;
+    EXPECT_NEAR(occluders->boundAt(occluders->spread(), occluders->gap()),
+                chebyshevBound(s.mean, s.variance, 0.7), 1e-13);
+    const double farthest = 0.7 - occluders->gap();
+    std::vector<double> moved = depths;
+    for (double& depth : moved)
+      if (depth < 0.7) depth = 0.6 - 0.5 * (farthest - depth);
+    const RegionStatistics then = probeOfDepths(moved, 0.7).statistics;
+    EXPECT_NEAR(occluders->boundAt(0.5 * occluders->spread(), 0.1),
+                chebyshevBound(then.mean, then.variance, 0.7), 1e-13);
+  }
+  EXPECT_FALSE(Occluders::of(probeOfDepths({0.8, 0.9}, 0.8)));
+  EXPECT_FALSE(Occluders::of(probeOfDepths({0.3, 0.3, 0.9}, 0.8)));
 }
 
 TEST(ChebyshevPlots, TheFamilyRisesWithTheVarianceAndHoldsTheBound) {
@@ -79,20 +89,27 @@ TEST(ChebyshevPlots, TheFamilyRisesWithTheVarianceAndHoldsTheBound) {
   EXPECT_NEAR(plot.errors[0].to, valueAt(plot.series[1], 0.8), 3e-5);
 }
 
-TEST(ChebyshevPlots, TheDistancePlotEndsAtTheRegionsOwnBleeding) {
-  Probe probe = probeOfDepths({0.2, 0.5}, 0.8);
-  addResult(probe, allTechniques().make("vsm"));
-  const Plot plot = occluderDistancePlot(probe);
-  ASSERT_EQ(plot.series.size(), 3u);
-  ASSERT_EQ(plot.errors.size(), 1u);
-  EXPECT_NEAR(plot.errors[0].x, 0.3, 1e-15);
-  EXPECT_NEAR(plot.errors[0].to, probe.techniques[0].visibility, 1e-12);
+// What is marked as this region is what the technique answers there, also where many occluders lie
+// in front, and some texels are lit.
+TEST(ChebyshevPlots, TheDistancePlotMarksTheTechniquesOwnVisibility) {
+  for (const auto& depths : {std::vector{0.2, 0.5}, std::vector{0.1, 0.3, 0.35, 0.5, 0.9}}) {
+    Probe probe = probeOfDepths(depths, 0.8);
+    addResult(probe, allTechniques().make("vsm"));
+    const Plot plot = occluderDistancePlot(probe).value();
+    ASSERT_EQ(plot.series.size(), 3u);
+    ASSERT_EQ(plot.errors.size(), 1u);
+    EXPECT_NEAR(plot.errors[0].x, 0.5 - depths.front(), 1e-15);
+    EXPECT_NEAR(plot.errors[0].from, probe.reference, 1e-15);
+    EXPECT_NEAR(plot.errors[0].to, probe.techniques[0].visibility, 1e-12);
+  }
   // The smaller the distance from B to C, the more bleeds.
+  const Plot plot = occluderDistancePlot(probeOfDepths({0.2, 0.5}, 0.8)).value();
   for (double x : {0.1, 0.3, 0.5}) {
     EXPECT_GT(valueAt(plot.series[0], x), valueAt(plot.series[1], x));
     EXPECT_GT(valueAt(plot.series[1], x), valueAt(plot.series[2], x));
+    EXPECT_NEAR(valueAt(plot.series[1], x), bleedingOfTwoOccluders(x, 0.3), 1e-4);
   }
-  EXPECT_TRUE(occluderDistancePlot(probeOfDepths({0.9}, 0.5)).series.empty());
+  EXPECT_FALSE(occluderDistancePlot(probeOfDepths({0.9}, 0.5)));
 }
 
 }  // namespace

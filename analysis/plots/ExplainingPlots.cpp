@@ -20,7 +20,6 @@ struct Entry {
 };
 
 std::optional<Plot> distance(const ExplainingInput& input, const std::function<void()>&) {
-  if (!twoOccludersOf(input.probe)) return std::nullopt;
   return occluderDistancePlot(input.probe);
 }
 
