@@ -56,7 +56,7 @@ Plot varianceFamilyPlot(const Probe& probe) {
   const RegionStatistics& s = probe.statistics;
   const PlotRange range = plot::rangeAround(probe);
   Plot plot{.name = "chebyshev",
-            .title = "The bound as the region's variance grows",
+            .title = "VSM's bound as the region's variance grows",
             .xLabel = plot::depthLabel(),
             .yLabel = "visibility p_max",
             .xRange = range,
@@ -90,7 +90,7 @@ std::optional<Plot> occluderDistancePlot(const Probe& probe) {
   const double dx = occluders->spread(), dy = occluders->gap();
   const PlotRange range{0.0, std::max({2.0 * dx, 2.0 * dy, 0.02})};
   Plot plot{.name = "distance",
-            .title = "The bound of variance shadow maps as the occluders move apart",
+            .title = "VSM's bound as the occluders move apart",
             .xLabel = "Δx, from the farthest occluder to the nearest (normalised depth)",
             .yLabel = "visibility p_max",
             .xRange = range,

@@ -52,8 +52,8 @@ std::optional<Plot> ofProbe(const ExplainingInput& input, const std::function<vo
 }
 
 constexpr Entry entries[] = {
-    {{"chebyshev", "Bound over variance"}, ofProbe<varianceFamilyPlot>},
-    {{"distance", "Bleeding over occluders' distance"}, distance},
+    {{"chebyshev", "VSM over variance"}, ofProbe<varianceFamilyPlot>},
+    {{"distance", "VSM over occluders' distance"}, distance},
     {{"planes", "Closed form of the planes"}, planes},
     {{"coverage", "Closed form over coverage"}, coverage},
     {{"radius", "Error over filter radius", true}, radius},
@@ -62,10 +62,10 @@ constexpr Entry entries[] = {
      [](const ExplainingInput& input, const std::function<void()>&) -> std::optional<Plot> {
        return mapHistogramPlot(input.request.map, input.probe);
      }},
-    {{"fourier-step", "Fourier step and its ringing"}, ofProbe<fourierStepPlot>},
-    {{"fourier-terms", "Fourier terms"}, ofProbe<fourierTermsPlot>},
-    {{"power-family", "Power functions"}, ofProbe<powerFamilyPlot>},
-    {{"residual", "Residual of the power fit"}, ofProbe<residualPlot>},
+    {{"fourier-step", "CSM: Fourier step and its ringing"}, ofProbe<fourierStepPlot>},
+    {{"fourier-terms", "CSM: Fourier terms"}, ofProbe<fourierTermsPlot>},
+    {{"power-family", "Power CDF: power functions"}, ofProbe<powerFamilyPlot>},
+    {{"residual", "Power CDF: residual of the fit"}, ofProbe<residualPlot>},
 };
 
 }  // namespace

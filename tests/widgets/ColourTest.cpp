@@ -68,6 +68,17 @@ TEST(ColourBar, OfDepthsIsAsGreyAsThePicture) {
   }
 }
 
+TEST(ColourBar, ANoticeTakesThePlaceOfAScale) {
+  ColourBar bar;
+  bar.setView(showing(ViewMode::Visibility));
+  const int tall = bar.sizeHint().height();
+  bar.setNotice("There is nothing to show");
+  EXPECT_FALSE(bar.isHidden());
+  EXPECT_LT(bar.sizeHint().height(), tall);
+  bar.setView(showing(ViewMode::Visibility));
+  EXPECT_EQ(bar.sizeHint().height(), tall);
+}
+
 TEST(ColourBar, OfErrorsEndsAtTheRangeThatIsSet) {
   ColourBar bar;
   FrameSettings settings = showing(ViewMode::Error);

@@ -15,6 +15,7 @@
 #include "ui/probe/ReductionTools.h"
 #include "ui/widgets/forms/ParameterForm.h"
 #include "ui/widgets/forms/TechniqueList.h"
+#include "ui/widgets/maps/ColourBar.h"
 #include "ui/widgets/maps/ShadowMapCanvas.h"
 #include "ui/widgets/maps/ShadowMapView.h"
 #include "ui/widgets/plots/PlotPane.h"
@@ -202,6 +203,15 @@ void EditingTest::keysSwitchTheView() {
     for (const QImage& other : seen) QVERIFY(image != other);
     seen.push_back(image);
   }
+  // A view with nothing to show says so.
+  auto* legend = window.findChild<ColourBar*>("legend");
+  key(Qt::Key_F6);
+  QVERIFY(legend->isVisible() && legend->toolTip().contains("has no layers"));
+  key(Qt::Key_6);
+  QVERIFY(!legend->isVisible());
+  key(Qt::Key_F7);
+  QVERIFY(legend->isVisible() && legend->toolTip().contains("one cascade"));
+  key(Qt::Key_2);
   key(Qt::Key_F2);
   QCOMPARE(picture(), shaded);
 }

@@ -88,7 +88,7 @@ void ReductionTools::findForFrame() {
   try {
     take(measureFrame(),
          tr("leaves no light in any full shadow; it darkens penumbrae by up to %1, %2 on average"),
-         tr("everywhere"));
+         tr("in full shadow"));
   } catch (const std::exception& problem) {
     emit failed(QString::fromUtf8(problem.what()));
   }

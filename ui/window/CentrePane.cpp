@@ -41,6 +41,7 @@ CentrePane::CentrePane(SessionController& controller, SceneView& view, Prober& p
       receiver_(new QSlider(Qt::Horizontal)),
       receiverText_(new QLabel) {
   setObjectName("centre");
+  legend_->setObjectName("legend");
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(5, 9, 5, 5);  // the grip of the docks beside it
   layout->setSpacing(6);
@@ -103,11 +104,28 @@ QWidget* CentrePane::makeDepthPage() {
   return page;
 }
 
+namespace {
+
+// Says why the picture of a view is the shaded one, or of one colour; empty where it is not.
+QString whyViewShowsNothing(const FrameSettings& frame, const Technique& technique) {
+  if (frame.view == ViewMode::Layers && !technique.info().layered)
+    return CentrePane::tr("%1 has no layers to show; layered variance (LVSM) has.")
+        .arg(shortTitle(technique));
+  if (frame.view == ViewMode::Cascades && frame.map.cascades.count == 1)
+    return CentrePane::tr("There is one cascade: choose more under Filter and map, Cascades.");
+  return {};
+}
+
+}  // namespace
+
 void CentrePane::refresh() {
   const Document& document = controller_.document();
   const DepthMap* depth = document.content.depth.get();
   pages_->setCurrentIndex(depth ? 1 : 0);
   legend_->setView(document.session.frame);
+  if (const QString why = whyViewShowsNothing(document.session.frame, controller_.technique());
+      !why.isEmpty())
+    legend_->setNotice(why);
   if (!depth) return;
   if (depth != shownDepth_) {
     depth_->setChannels({tr("depth")}, tr("depth"));

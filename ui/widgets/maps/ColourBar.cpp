@@ -34,6 +34,7 @@ void ColourBar::setLabel(const QString& label) {
 
 void ColourBar::setView(const FrameSettings& settings) {
   const double errors = settings.errorRange;
+  notice_ = false;
   cascades_ = settings.view == ViewMode::Cascades ? settings.map.cascades.count : 0;
   switch (settings.view) {
     case ViewMode::Visibility:
@@ -60,7 +61,17 @@ void ColourBar::setView(const FrameSettings& settings) {
   setVisible(true);
 }
 
+void ColourBar::setNotice(const QString& text) {
+  notice_ = true;
+  label_ = text;
+  setToolTip(text);
+  updateGeometry();
+  update();
+  setVisible(true);
+}
+
 QSize ColourBar::sizeHint() const {
+  if (notice_) return {220, fontMetrics().height()};
   const int lines = label_.isEmpty() ? 1 : 2;
   return {220, barHeight + tickLength + 2 + lines * fontMetrics().height()};
 }
@@ -79,6 +90,7 @@ void ColourBar::paintEvent(QPaintEvent*) {
                      fontMetrics().elidedText(label_, Qt::ElideRight, width()));
     top = line;
   }
+  if (notice_) return;
   const QRect bar(0, top, width(), barHeight);
   if (cascades_ > 0) return paintCascades(painter, bar);
   QLinearGradient gradient(bar.left(), 0, bar.right() + 1, 0);

@@ -20,6 +20,8 @@ class ColourBar : public QWidget {
   // that is set, depth 0 … 1, one field for each of the cascades. Hides itself for views whose
   // colours are no scale.
   void setView(const FrameSettings& settings);
+  // Shows a sentence in place of a scale.
+  void setNotice(const QString& text);
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -30,7 +32,8 @@ class ColourBar : public QWidget {
  private:
   void paintCascades(QPainter& painter, const QRect& bar);
 
-  int cascades_ = 0;  // of their fields; 0 shows a scale
+  int cascades_ = 0;     // of their fields; 0 shows a scale
+  bool notice_ = false;  // the label alone
   ColourMap map_ = ColourMap::Grey;
   double low_ = 0.0, high_ = 1.0;
   QString label_;
