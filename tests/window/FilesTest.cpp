@@ -2,10 +2,13 @@
 #include <QDockWidget>
 #include <QFile>
 #include <QImage>
+#include <QLabel>
 #include <QSlider>
 #include <QTest>
+#include <QTextDocument>
 #include <random>
 
+#include "datasets/lessons/LessonCatalogue.h"
 #include "datasets/maps/ExrFile.h"
 #include "filters/core/support/Error.h"
 #include "tests/window/WindowFixture.h"
@@ -33,6 +36,7 @@ class FilesTest : public WindowFixture {
   Q_OBJECT
 
  private slots:
+  void textsOfFilesAreShownAsTheyAre();
   void pictureAndPlotsAreWritten();
   void aBadFileLeavesTheSceneOpen();
   void droppedFacesAreReported();
@@ -194,6 +198,44 @@ void FilesTest::aRestartBringsSessionAndLayoutBack() {
   const auto& report = window_->prober().report();
   QVERIFY(report && report->pinned && point);
   QVERIFY((*report->point - *point).norm() < 0.05 * (1.0 + point->norm()));
+}
+
+// What comes of a file, its name included, is no markup of the window: no label and no tool tip
+// takes it for such.
+void FilesTest::textsOfFilesAreShownAsTheyAre() {
+  MainWindow& window = open();
+  const QString markup = "<b>bold</b><img src='x.png'>";
+  const auto check = [&](const char* what) {
+    int shown = 0;
+    for (const QLabel* label : window.findChildren<QLabel*>()) {
+      if (!label->text().contains("<b>bold")) continue;
+      ++shown;
+      QVERIFY2(label->textFormat() == Qt::PlainText, what);
+    }
+    for (const QWidget* widget : window.findChildren<QWidget*>()) {
+      if (!widget->toolTip().contains("bold")) continue;
+      QTextDocument tip;
+      if (Qt::mightBeRichText(widget->toolTip()))
+        tip.setHtml(widget->toolTip());
+      else
+        tip.setPlainText(widget->toolTip());
+      QVERIFY2(tip.toPlainText().contains("<b>bold"), what);
+    }
+    QVERIFY2(shown > 0, what);
+  };
+  const QString file = folder_.filePath("s.json");
+  QFile written(file);
+  QVERIFY(written.open(QIODevice::WriteOnly));
+  written.write(("{\"format\": \"umbrascope-session/1\", \"frame\": \"" + markup + "\"}").toUtf8());
+  written.close();
+  window.openFile(file.toStdString());
+  settle();
+  check("a message");
+  Lesson lesson = lessonNamed("layers");
+  lesson.title = lesson.after = lesson.summary = lesson.steps[0].title = markup.toStdString();
+  window.enterLesson(lesson);
+  settle();
+  check("a lesson");
 }
 
 std::unique_ptr<QObject> makeFilesTest() {

@@ -69,6 +69,7 @@ QWidget* LessonPane::makePage() {
   bold.setWeight(QFont::DemiBold);
   step_->setFont(bold);
   step_->setWordWrap(true);
+  step_->setTextFormat(Qt::PlainText);
   // A strip in the probe's colour says that the text beside it is about the marked point.
   auto* strip = new QFrame;
   strip->setFixedWidth(3);
@@ -130,9 +131,10 @@ void LessonPane::refresh() {
   refreshTexts();
   lookBox_->setVisible(!step.look.empty());
   place_->setText(tr("%1 of %2").arg(progress->step + 1).arg(progress->lesson.steps.size()));
-  place_->setToolTip(progress->lesson.after.empty()
-                         ? QString()
-                         : tr("After %1").arg(style::text(progress->lesson.after)));
+  place_->setToolTip(
+      progress->lesson.after.empty()
+          ? QString()
+          : style::plainTip(tr("After %1").arg(style::text(progress->lesson.after))));
   back_->setEnabled(!progress->atFirst());
   next_->setText(progress->atLast() ? tr("Fi&nish") : tr("&Next ›"));
   next_->setToolTip(progress->atLast() ? tr("Back to your own scene, as you left it")

@@ -12,6 +12,7 @@ MessageBanner::MessageBanner(QWidget* parent)
     : QFrame(parent), label_(new QLabel), close_(new QToolButton) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(12, 6, 6, 6);
+  label_->setTextFormat(Qt::PlainText);  // a file's name may look like markup
   label_->setWordWrap(true);
   label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   close_->setText(QChar(0x2715));

@@ -23,6 +23,7 @@ StatusLine::StatusLine(QStatusBar& bar, SessionController& controller, SceneView
       scene_(new QLabel),
       frame_(new QLabel),
       map_(new QLabel) {
+  for (QLabel* label : {scene_, frame_, map_}) label->setTextFormat(Qt::PlainText);
   scene_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   bar_.addWidget(scene_, 1);
   for (QLabel* label : {frame_, map_}) {

@@ -2,7 +2,13 @@
 
 #include <QPainter>
 
+#include "ui/widgets/base/Style.h"
+
 namespace umbra {
+
+ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
+  setTextFormat(Qt::PlainText);
+}
 
 QSize ElidedLabel::minimumSizeHint() const {
   return {fontMetrics().horizontalAdvance("MM…"), QLabel::minimumSizeHint().height()};
@@ -14,7 +20,7 @@ void ElidedLabel::paintEvent(QPaintEvent*) {
   const QString shown = fontMetrics().elidedText(text(), Qt::ElideRight, width());
   painter.drawText(rect(), int(alignment() | Qt::AlignVCenter), shown);
   // Where the text is cut, the tool tip has all of it.
-  setToolTip(shown == text() ? QString() : text());
+  setToolTip(shown == text() ? QString() : style::plainTip(text()));
 }
 
 }  // namespace umbra

@@ -1,4 +1,4 @@
-// One line of text that is cut with an ellipsis where there is too little room for it.
+// One line of plain text that is cut with an ellipsis where there is too little room for it.
 #pragma once
 
 #include <QLabel>
@@ -9,7 +9,7 @@ class ElidedLabel : public QLabel {
   Q_OBJECT
 
  public:
-  using QLabel::QLabel;
+  explicit ElidedLabel(QWidget* parent = nullptr);
 
   QSize minimumSizeHint() const override;
 

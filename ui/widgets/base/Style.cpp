@@ -1,6 +1,7 @@
 #include "ui/widgets/base/Style.h"
 
 #include <QFontMetricsF>
+#include <QTextDocument>
 #include <cmath>
 
 namespace umbra::style {
@@ -34,6 +35,10 @@ QColor tint(const QColor& colour) {
 
 QString text(std::string_view utf8) {
   return QString::fromUtf8(utf8.data(), int(utf8.size()));
+}
+
+QString plainTip(const QString& text) {
+  return Qt::mightBeRichText(text) ? "<qt>" + text.toHtmlEscaped() + "</qt>" : text;
 }
 
 QString label(std::string_view kebabCase) {

@@ -24,6 +24,8 @@ QFont figures(const QFont& base);
 QColor tint(const QColor& colour);
 
 QString text(std::string_view utf8);
+// For a tool tip of text that is not ours: shown as it is, whatever markup it looks like.
+QString plainTip(const QString& text);
 // A parameter's name as a label: "min-variance" becomes "Min variance".
 QString label(std::string_view kebabCase);
 // With three decimals and a sign that is always there, a true minus: "+0.226", "−0.031".

@@ -25,7 +25,7 @@ void LessonsMenu::addLessons(LessonVisit& visit, FileActions& files) {
   for (const Lesson& lesson : lessonCatalogue()) {
     QAction* action = umbra::addAction(*this, style::text(lesson.title), {},
                                        [&visit, lesson] { visit.enter(lesson); });
-    action->setToolTip(style::text(lesson.summary));
+    action->setToolTip(style::plainTip(style::text(lesson.summary)));
     action->setData(style::text(lesson.name));
   }
   addSeparator();
