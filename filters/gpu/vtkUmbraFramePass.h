@@ -119,7 +119,7 @@ class vtkUmbraFramePass : public vtkRenderPass {
   FrameSettings Settings;
   std::unique_ptr<Technique> Asked;    // as it was set
   std::unique_ptr<Technique> Adapted;  // to the depth map and the format
-  Stage Stale = Stage::Depth;  // later than Prefilter: nothing that is baked
+  Stage Stale = Stage::Depth;          // later than Prefilter: nothing that is baked
   Baked Made;
   // One for each cascade, once it has been asked for in this bake.
   std::vector<std::shared_ptr<const DepthMap>> DepthValues;
