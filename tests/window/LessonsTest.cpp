@@ -2,7 +2,10 @@
 #include <QAbstractItemModel>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QMenu>
+#include <QPainter>
+#include <QPixmap>
 #include <QPushButton>
 #include <QSlider>
 #include <QTableView>
@@ -41,6 +44,7 @@ class LessonsTest : public WindowFixture {
   void lightBleedingIsPredictedThenMeasured();
   void aLessonIsWalkedByKeyAndKeepsItsPredictions();
   void stepsMeasureTheSameInEveryWindow();
+  void everyStepCanBeSeenOnASmallScreen();
   void aLessonLeavesOnesOwnSessionAsItWas();
   void quittingInALessonRemembersOnesOwnSession();
 };
@@ -151,6 +155,51 @@ void LessonsTest::stepsMeasureTheSameInEveryWindow() {
     }
   }
   QVERIFY(first.size() >= 3);
+}
+
+// On the smallest screen the point of every step is in sight, its text is not cut, and one can go
+// on. The pictures of all steps lie in lessons.png, beside this program's output.
+void LessonsTest::everyStepCanBeSeenOnASmallScreen() {
+  MainWindow& window = open();
+  window.resize(1280, 720);
+  window.resetLayout();
+  settle();
+  const QSize cell(640, 360);
+  std::vector<QPixmap> pictures;
+  for (const Lesson& lesson : lessonCatalogue()) {
+    window.enterLesson(lesson);
+    while (true) {
+      settle();
+      const LessonProgress& progress = *window.lessons().progress();
+      const QString place =
+          QString::fromStdString(lesson.name) + " " + QString::number(progress.step + 1);
+      const auto& report = window.prober().behindVeil();
+      QVERIFY2(report && report->pinned && report->inSight, qPrintable(place));
+      QVERIFY2(
+          window.findChild<QPushButton*>("lessonNext")->visibleRegion().boundingRect().height() >
+              15,
+          qPrintable(place));
+      const auto* page = window.findChild<QWidget*>("lessonPage");
+      for (const QLabel* label : page->findChildren<QLabel*>())
+        if (label->isVisible())
+          QVERIFY2(label->mapTo(page, label->rect().topRight()).x() < page->parentWidget()->width(),
+                   qPrintable(place + ": " + label->text()));
+      pictures.push_back(window.grab().scaled(cell, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+      if (progress.atLast()) break;
+      window.lessons().next();
+    }
+    window.lessons().leave();
+    settle();
+  }
+  const int columns = 6, rows = (int(pictures.size()) + columns - 1) / columns;
+  QPixmap sheet(columns * cell.width(), rows * cell.height());
+  sheet.fill(Qt::white);
+  QPainter painter(&sheet);
+  for (int i = 0; i < int(pictures.size()); ++i)
+    painter.drawPixmap(i % columns * cell.width(), i / columns * cell.height(),
+                       pictures[std::size_t(i)]);
+  painter.end();
+  QVERIFY(sheet.save("lessons.png"));
 }
 
 void LessonsTest::aLessonLeavesOnesOwnSessionAsItWas() {
