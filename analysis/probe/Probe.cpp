@@ -206,7 +206,7 @@ EmpiricalCdf empiricalCdfOf(const Region& region) {
   return cdf;
 }
 
-Curves curvesOf(const Probe& probe, int samples) {
+Curves curvesOf(const Probe& probe, int samples, const std::function<void()>& eachStep) {
   Curves curves;
   curves.depth.reserve(samples);
   for (int i = 0; i < samples; ++i)
@@ -215,8 +215,10 @@ Curves curvesOf(const Probe& probe, int samples) {
   for (const TechniqueResult& result : probe.techniques) {
     std::vector<double>& curve = curves.techniques.emplace_back();
     curve.reserve(samples);
-    for (double depth : curves.depth)
-      curve.push_back(visibilityOf(*result.technique, probe, result, depth));
+    for (int i = 0; i < samples; ++i) {
+      if (eachStep && i % 1024 == 0) eachStep();
+      curve.push_back(visibilityOf(*result.technique, probe, result, curves.depth[i]));
+    }
   }
   return curves;
 }

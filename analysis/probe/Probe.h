@@ -1,6 +1,7 @@
 // Takes one filtered read apart: its region, the visibility by every technique, and the reference.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -117,6 +118,7 @@ struct Curves {
   std::vector<double> reference;
   std::vector<std::vector<double>> techniques;  // in the probe's order
 };
-Curves curvesOf(const Probe& probe, int samples);
+// `eachStep` is called now and then, and may throw to interrupt.
+Curves curvesOf(const Probe& probe, int samples, const std::function<void()>& eachStep = {});
 
 }  // namespace umbra

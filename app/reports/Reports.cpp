@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/probe/Explain.h"
+#include "app/output/Cancellation.h"
 #include "app/reports/SurfaceReport.h"
 
 namespace umbra {
@@ -73,7 +74,7 @@ Json traceToJson(const Trace& trace) {
 }
 
 Json curvesToJson(const Probe& probe, int samples) {
-  const Curves curves = curvesOf(probe, samples);
+  const Curves curves = curvesOf(probe, samples, throwIfCancelled);
   Json object = {{"depth", curves.depth}, {"reference", curves.reference}};
   for (std::size_t i = 0; i < probe.techniques.size(); ++i)
     object[std::string(probe.techniques[i].technique->info().id)] = curves.techniques[i];

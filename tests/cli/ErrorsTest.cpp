@@ -262,5 +262,14 @@ TEST_F(Errors, AnInterruptLeavesNothingBehind) {
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"large.exr", "m.exr"}));
 }
 
+// The samples of a curve are counted in millions, and looked between.
+TEST_F(Errors, LongCurvesAreInterrupted) {
+  const Outcome outcome = run({"probe", "--depth", folder.file("m.exr"), "--texel", "8,9",
+                               "--receiver", "0.7", "--samples", "1000000", "--json"},
+                              {.interrupt = true});
+  EXPECT_EQ(outcome.status, 130) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+}
+
 }  // namespace
 }  // namespace umbra::cli
