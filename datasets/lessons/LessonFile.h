@@ -15,9 +15,9 @@
 //
 // A text is one string or a list of its lines, Markdown, with numbers that are computed when it is
 // shown: see LessonNumbers.h. What is **bold** is a control, a pane or a key, called as the window
-// calls it. The session is one that SessionFile reads; it shows a scene. The step is about the point "at", whatever the window's size. Where "technique"
-// is absent it is the session's, where "step" is absent it is the step itself. "question",
-// "claims", "look" and "after" may be absent.
+// calls it. The session is one that SessionFile reads; it shows a scene. The step is about the
+// point "at", whatever the window's size. Where "technique" is absent it is the session's, where
+// "step" is absent it is the step itself. "question", "claims", "look" and "after" may be absent.
 #pragma once
 
 #include <filesystem>
