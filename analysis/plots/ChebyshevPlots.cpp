@@ -14,13 +14,6 @@ double chebyshevBound(double mean, double variance, double receiver) {
   return variance / (variance + distance * distance);
 }
 
-// This is eq. 3.3 at C, with μ = B − sΔx and σ² = s(1 − s)Δx².
-double bleedingOfTwoOccluders(double dx, double dy, double shareOfA) {
-  const double variance = shareOfA * (1.0 - shareOfA) * dx * dx;
-  const double distance = dy + shareOfA * dx;
-  return variance / (variance + distance * distance);
-}
-
 std::optional<Occluders> Occluders::of(const Probe& probe) {
   double nearest = probe.receiver, farthest = -1.0;
   for (const RegionTexel& texel : probe.region.texels) {

@@ -12,11 +12,6 @@ namespace umbra {
 // variance in one unit; a region without variance is dark behind its mean.
 double chebyshevBound(double mean, double variance, double receiver);
 
-// Two occluders A and B, both nearer than the receiver C, cover the shares s and 1 − s of a region:
-// the reference is 0. `dx` = B − A, `dy` = C − B, both ≥ 0 and one of them > 0. For s = ½ this is
-// Lauritzen 2008, eq. 3.4: ¼Δx² / (½Δx² + ΔxΔy + Δy²).
-double bleedingOfTwoOccluders(double dx, double dy, double shareOfA = 0.5);
-
 // The texels of a region that lie in front of the receiver, to be moved; the others stay.
 class Occluders {
  public:

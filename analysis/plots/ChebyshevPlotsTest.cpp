@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/plots/TwoOccludersForm.h"
 #include "analysis/probe/TestProbes.h"
 
 namespace umbra {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/plots/ChebyshevPlots.h"
+#include "analysis/plots/TwoOccludersForm.h"
 #include "analysis/probe/TestProbes.h"
 
 namespace umbra {

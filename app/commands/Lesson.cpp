@@ -135,6 +135,16 @@ Json claimsJson(const Lesson& lesson, const std::vector<CheckedClaim>& claims) {
   return {{"name", lesson.name}, {"steps", std::move(steps)}};
 }
 
+// "0.216 ± 0.004"; by shape where what is expected depends on it: "0.1307 0.1611 …".
+std::string expectedText(const CheckedClaim& claim) {
+  std::string text = shortNumber(claim.expected.front());
+  const bool same = std::all_of(claim.expected.begin(), claim.expected.end(),
+                                [&](double value) { return shortNumber(value) == text; });
+  for (std::size_t i = 1; i < claim.expected.size() && !same; ++i)
+    text += " " + shortNumber(claim.expected[i]);
+  return claim.within ? text + " ± " + shortNumber(*claim.within) : text;
+}
+
 std::string claimsText(const Lesson& lesson, const std::vector<CheckedClaim>& claims) {
   TableRow heading{"STEP", "QUANTITY"};
   for (const PictureShape& shape : lessonShapes) heading.push_back(nameOf(shape));
@@ -143,7 +153,7 @@ std::string claimsText(const Lesson& lesson, const std::vector<CheckedClaim>& cl
   for (const CheckedClaim& claim : claims) {
     TableRow row{std::to_string(claim.step + 1), claim.quantity};
     for (const double measured : claim.measured) row.push_back(shortNumber(measured));
-    row.insert(row.end(), {claim.relation, shortNumber(claim.expected.front()),
+    row.insert(row.end(), {claim.relation, expectedText(claim),
                            claim.holdsEverywhere() ? "yes" : "no", claim.text});
     rows.push_back(std::move(row));
   }

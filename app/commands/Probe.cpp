@@ -30,7 +30,13 @@ struct ProbeCommand {
   void run() const;
   void probeDepthMap(Workspace workspace) const;
   void probePixel(const Workspace& workspace) const;
-  void probeKept(const Workspace& workspace, const std::vector<NamedProbe>& kept,
+  // What is probed: the session's techniques, and the panes of one that compares.
+  struct Subject {
+    Session session;
+    std::vector<std::shared_ptr<Technique>> techniques;
+    std::vector<Drawing> panes;
+  };
+  void probeKept(const Subject& subject, const std::vector<NamedProbe>& kept,
                  const std::shared_ptr<const Scene>& scene, HeadlessFrame& frame,
                  Display& display) const;
   std::vector<NamedProbe> keptOnes(const Session& session) const;
@@ -50,8 +56,7 @@ struct ProbeCommand {
   static TakenProbe justTheProbe(Taken taken) {
     return {std::move(taken.probe), std::move(taken.json)};
   }
-  static void addPanes(Taken& taken, const std::vector<Drawing>& panes,
-                       const std::function<TakenProbe(const Drawing&)>& take);
+  static void addPanes(Taken& taken, std::vector<PaneProbe> panes);
   Taken takeTexel(const Session& session, const DepthMap& map,
                   const std::vector<std::shared_ptr<Technique>>& chosen, Pixel at,
                   double depth) const;
@@ -102,13 +107,12 @@ std::vector<std::shared_ptr<Technique>> ProbeCommand::techniques(const Session& 
 
 std::vector<Drawing> ProbeCommand::panes(const Workspace& workspace) const {
   if (options.namesTechniques() || workspace.comparison.mode == ComparisonMode::Single) return {};
-  return drawingsOfPanes(workspace, catalogue);
+  return panesOf(workspace, catalogue);
 }
 
-void ProbeCommand::addPanes(Taken& taken, const std::vector<Drawing>& panes,
-                            const std::function<TakenProbe(const Drawing&)>& take) {
+void ProbeCommand::addPanes(Taken& taken, std::vector<PaneProbe> panes) {
   if (panes.empty()) return;
-  taken.panes = probePanes(panes, take);
+  taken.panes = std::move(panes);
   taken.json["panes"] = panesToJson(taken.panes);
 }
 
@@ -217,9 +221,12 @@ void ProbeCommand::probeDepthMap(Workspace workspace) const {
     const double depth =
         receiver ? *session.receiver : place.receiver.value_or(NamedProbe::depthOnFile);
     Taken taken = takeTexel(session, map, chosen, *place.texel, depth);
-    addPanes(taken, compared, [&](const Drawing& pane) {
-      return justTheProbe(takeTexel(pane.session, map, {pane.technique}, *place.texel, depth));
-    });
+    std::vector<PaneProbe> ofPanes;
+    for (const Drawing& pane : compared)
+      ofPanes.push_back(probePane(pane, [&] {
+        return justTheProbe(takeTexel(pane.session, map, {pane.technique}, *place.texel, depth));
+      }));
+    addPanes(taken, std::move(ofPanes));
     if (named) taken.json["name"] = place.name;
     if (!isTable()) return finish(taken, session, nullptr);
     result.probe = std::move(taken.probe);
@@ -230,7 +237,8 @@ void ProbeCommand::probeDepthMap(Workspace workspace) const {
 }
 
 void ProbeCommand::probePixel(const Workspace& workspace) const {
-  const Session session = sessionOf(workspace);
+  Subject subject{sessionOf(workspace), {}, {}};
+  const Session& session = subject.session;
   if (texel)
     throw Error(ErrorKind::BadCommandLine, "--texel: goes with --depth, a scene takes --pixel X,Y");
   const std::vector<NamedProbe> kept = keptOnes(session);
@@ -240,52 +248,59 @@ void ProbeCommand::probePixel(const Workspace& workspace) const {
   std::optional<Pixel> place = session.probe;
   if (pixel) place = *pixel == "worst" ? std::nullopt : std::optional(pixelFrom(*pixel, "--pixel"));
   checkGpuFormat(session);
-  const auto chosen = techniques(session);
-  const std::vector<Drawing> compared = panes(workspace);
-  for (const Drawing& pane : compared) checkGpuFormat(pane.session);
+  subject.techniques = techniques(session);
+  subject.panes = panes(workspace);
+  for (Drawing& pane : subject.panes)
+    if (pane.refusal.empty()) pane.refusal = whyNoGpuFormat(pane.session);
   const auto scene = std::make_shared<const Scene>(loadScene(session.source));
   const std::unique_ptr<Display> display = loadDisplay();
   const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
-  if (!kept.empty()) return probeKept(workspace, kept, scene, *frame, *display);
-  if (!place) place = worstBleeding(*frame, *suspectOf(chosen));
-  Taken taken = describe(probeScene(*frame, session, chosen, *place), *frame, session);
-  addPanes(taken, compared, [&](const Drawing& pane) {
-    frame->show(scene, pane.session);
-    return justTheProbe(
-        describe(probeScene(*frame, pane.session, {pane.technique}, *place), *frame, pane.session));
-  });
+  if (!kept.empty()) return probeKept(subject, kept, scene, *frame, *display);
+  if (!place) place = worstBleeding(*frame, *suspectOf(subject.techniques));
+  Taken taken = describe(probeScene(*frame, session, subject.techniques, *place), *frame, session);
+  std::vector<PaneProbe> ofPanes;
+  for (const Drawing& pane : subject.panes)
+    ofPanes.push_back(probePane(pane, [&] {
+      frame->show(scene, pane.session);
+      return justTheProbe(describe(probeScene(*frame, pane.session, {pane.technique}, *place),
+                                   *frame, pane.session));
+    }));
+  addPanes(taken, std::move(ofPanes));
   finish(taken, session, display.get());
 }
 
-void ProbeCommand::probeKept(const Workspace& workspace, const std::vector<NamedProbe>& kept,
+void ProbeCommand::probeKept(const Subject& subject, const std::vector<NamedProbe>& kept,
                              const std::shared_ptr<const Scene>& scene, HeadlessFrame& frame,
                              Display& display) const {
-  const Session session = sessionOf(workspace);
-  const auto chosen = techniques(session);
+  const Session& session = subject.session;
   const auto byHand = receiver ? session.receiver : std::optional<double>();
-  auto probes = umbra::probeKept(frame, session, chosen, kept, byHand);
+  auto probes = umbra::probeKept(frame, session, subject.techniques, kept, byHand);
   const Json source = sourceToJson(shortNameOf(session.source), frame.depthMap());
-  std::vector<std::optional<Taken>> taken;
+  std::vector<std::optional<Taken>> taken(kept.size());
   for (std::size_t i = 0; i < kept.size(); ++i) {
     if (!probes[i].probe && !isTable())
       throw Error(ErrorKind::BadCommandLine,
                   (named ? "--named: " : "keptProbe: ") + kept[i].name + ": " + probes[i].reason);
-    taken.emplace_back();
-    if (probes[i].probe)
-      taken.back().emplace(describe(std::move(*probes[i].probe), frame, session));
-    if (taken.back() && named) taken.back()->json["name"] = kept[i].name;
+    if (!probes[i].probe) continue;
+    taken[i].emplace(describe(std::move(*probes[i].probe), frame, session));
+    if (named) taken[i]->json["name"] = kept[i].name;
   }
-  // The panes come last: each of them draws another frame.
-  const std::vector<Drawing> compared = panes(workspace);
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    if (!taken[i]) continue;
-    addPanes(*taken[i], compared, [&](const Drawing& pane) {
+  // The panes come last, one after the other: each of them draws another frame.
+  std::vector<std::vector<PaneProbe>> ofPanes(kept.size());
+  for (const Drawing& pane : subject.panes) {
+    std::vector<KeptSceneProbe> own(kept.size());
+    if (pane.refusal.empty()) {
       frame.show(scene, pane.session);
-      auto own = umbra::probeKept(frame, pane.session, {pane.technique}, {kept[i]}, byHand).front();
-      if (!own.probe) throw Error(ErrorKind::BadCommandLine, own.reason);
-      return justTheProbe(describe(std::move(*own.probe), frame, pane.session));
-    });
+      own = umbra::probeKept(frame, pane.session, {pane.technique}, kept, byHand);
+    }
+    for (std::size_t i = 0; i < kept.size(); ++i)
+      ofPanes[i].push_back(probePane(pane, [&] {
+        if (!own[i].probe) throw Error(ErrorKind::BadCommandLine, own[i].reason);
+        return justTheProbe(describe(std::move(*own[i].probe), frame, pane.session));
+      }));
   }
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    if (taken[i]) addPanes(*taken[i], std::move(ofPanes[i]));
   if (!isTable()) return finish(*taken.front(), session, &display);
   std::vector<NamedResult> results;
   for (std::size_t i = 0; i < kept.size(); ++i) {

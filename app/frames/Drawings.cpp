@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "app/frames/TechniqueSet.h"
 #include "datasets/session/DepthReading.h"
@@ -58,6 +59,23 @@ void addNames(std::vector<Drawing>& drawings) {
   }
 }
 
+std::vector<Drawing> unnamedPanes(const Workspace& workspace, const TechniqueCatalogue& catalogue) {
+  std::vector<Drawing> panes;
+  const std::vector<std::string> labels = paneLabels(workspace, catalogue);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    Session session = sessionOfPane(workspace, i);
+    session.frame = readSettingsOf(session);
+    std::shared_ptr<Technique> technique = techniqueOf(session, catalogue, session.technique);
+    std::string refusal = whyImpossible(session.frame, *technique);
+    if (refusal.empty())
+      technique = makeTechniques(session, catalogue, {{session.technique}}).front();
+    std::string label = labelOf(*technique, labels[i]);
+    panes.push_back({std::move(session), std::move(technique), std::move(label), {}, i + 1});
+    panes.back().refusal = std::move(refusal);
+  }
+  return panes;
+}
+
 }  // namespace
 
 std::vector<Drawing> drawingsOf(const Session& session,
@@ -69,26 +87,29 @@ std::vector<Drawing> drawingsOf(const Session& session,
   return drawings;
 }
 
+std::vector<Drawing> panesOf(const Workspace& workspace, const TechniqueCatalogue& catalogue) {
+  std::vector<Drawing> panes = unnamedPanes(workspace, catalogue);
+  addNames(panes);
+  addDifferences(panes);
+  return panes;
+}
+
 std::vector<Drawing> drawingsOfPanes(const Workspace& workspace,
                                      const TechniqueCatalogue& catalogue) {
-  std::vector<Drawing> drawings;
-  const std::vector<std::string> labels = paneLabels(workspace, catalogue);
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    Session pane = sessionOfPane(workspace, i);
-    pane.frame = readSettingsOf(pane);
-    const std::string why =
-        whyImpossible(pane.frame, *techniqueOf(pane, catalogue, pane.technique));
-    const bool last = i + 1 == labels.size() && drawings.empty();
-    if (!why.empty() && workspace.comparison.mode == ComparisonMode::Grid && !last) {
-      spdlog::warn("left out: {}", why);
-      continue;
-    }
-    const auto technique = makeTechniques(pane, catalogue, {{pane.technique}}).front();
-    drawings.push_back({pane, technique, labelOf(*technique, labels[i]), {}, i + 1});
+  std::vector<Drawing> panes = unnamedPanes(workspace, catalogue);
+  const auto refused = [](const Drawing& pane) { return !pane.refusal.empty(); };
+  const bool some = !std::all_of(panes.begin(), panes.end(), refused);
+  for (const Drawing& pane : panes) {
+    if (!refused(pane)) continue;
+    if (some && workspace.comparison.mode == ComparisonMode::Grid)
+      spdlog::warn("left out: {}", pane.refusal);
+    else
+      makeTechniques(pane.session, catalogue, {{pane.session.technique}});  // throws
   }
-  addNames(drawings);
-  addDifferences(drawings);
-  return drawings;
+  std::erase_if(panes, refused);
+  addNames(panes);
+  addDifferences(panes);
+  return panes;
 }
 
 }  // namespace umbra

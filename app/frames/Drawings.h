@@ -21,6 +21,7 @@ struct Drawing {
   // technique: "vsm-3".
   std::string name;
   std::size_t pane = 0;  // counts from 1; 0 is no pane
+  std::string refusal;   // why the pane cannot be drawn; empty where it can
   // The pane's settings and parameters that differ from another pane's, by their names in
   // `umbrascope settings` and as TECHNIQUE.PARAMETER.
   Json differences = Json::object();
@@ -29,6 +30,8 @@ struct Drawing {
 // One for each technique.
 std::vector<Drawing> drawingsOf(const Session& session,
                                 const std::vector<std::shared_ptr<Technique>>& techniques);
+// One for each pane that the workspace shows, also for those that cannot be drawn.
+std::vector<Drawing> panesOf(const Workspace& workspace, const TechniqueCatalogue& catalogue);
 // One for each pane that the workspace shows. Of panes beside each other, one with impossible
 // settings is left out, with a warning that says why. Throws BadCommandLine where no pane is left.
 std::vector<Drawing> drawingsOfPanes(const Workspace& workspace,

@@ -11,22 +11,19 @@
 
 namespace umbra {
 
-std::vector<PaneProbe> probePanes(const std::vector<Drawing>& panes,
-                                  const std::function<TakenProbe(const Drawing&)>& take) {
-  std::vector<PaneProbe> probes;
-  for (const Drawing& drawing : panes) {
-    throwIfCancelled();
-    PaneProbe& pane = probes.emplace_back(PaneProbe{drawing, {}, {}, {}});
-    try {
-      auto [probe, json] = take(drawing);
-      pane.probe = std::move(probe);
-      pane.json = std::move(json);
-    } catch (const Error& error) {
-      if (error.kind() == ErrorKind::Cancelled) throw;
-      pane.reason = error.what();
-    }
+PaneProbe probePane(const Drawing& pane, const std::function<TakenProbe()>& take) {
+  throwIfCancelled();
+  PaneProbe result{pane, {}, {}, pane.refusal};
+  if (!result.reason.empty()) return result;
+  try {
+    auto [probe, json] = take();
+    result.probe = std::move(probe);
+    result.json = std::move(json);
+  } catch (const Error& error) {
+    if (error.kind() == ErrorKind::Cancelled) throw;
+    result.reason = error.what();
   }
-  return probes;
+  return result;
 }
 
 Json panesToJson(const std::vector<PaneProbe>& panes) {

@@ -26,9 +26,9 @@ struct TakenProbe {
   Json json;
 };
 
-// Takes a probe of each pane. Where `take` throws, the pane says why it has none.
-std::vector<PaneProbe> probePanes(const std::vector<Drawing>& panes,
-                                  const std::function<TakenProbe(const Drawing&)>& take);
+// Takes the pane's probe. A pane that cannot be drawn says why it has none, as one does for which
+// `take` throws.
+PaneProbe probePane(const Drawing& pane, const std::function<TakenProbe()>& take);
 
 // [{"pane", "settings", … a probe's fields}], with "reason" in place of the fields where a pane has
 // no probe. "settings" are those that differ from another pane's.

@@ -44,11 +44,15 @@ std::vector<std::shared_ptr<Technique>> makeTechniques(const Session& session,
   return techniques;
 }
 
+std::string whyNoGpuFormat(const Session& session) {
+  if (session.frame.map.format != StorageFormat::Double) return {};
+  return "--format: double is only for depth maps, since the GPU stores 32 bits at most; a scene "
+         "takes unorm8, unorm16, half or float";
+}
+
 void checkGpuFormat(const Session& session) {
-  if (session.frame.map.format == StorageFormat::Double)
-    throw Error(ErrorKind::BadCommandLine,
-                "--format: double is only for depth maps, since the GPU stores 32 bits at most; a "
-                "scene takes unorm8, unorm16, half or float");
+  if (const std::string why = whyNoGpuFormat(session); !why.empty())
+    throw Error(ErrorKind::BadCommandLine, why);
 }
 
 }  // namespace umbra

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "app/options/SessionOptions.h"
@@ -17,7 +18,9 @@ std::vector<std::shared_ptr<Technique>> makeTechniques(const Session& session,
                                                        const TechniqueCatalogue& catalogue,
                                                        const TechniqueChoice& choice);
 
-// Throws BadCommandLine unless textures on the GPU can have the format.
+// Why textures on the GPU cannot have the session's format; "" where they can.
+std::string whyNoGpuFormat(const Session& session);
+// Throws BadCommandLine with that sentence.
 void checkGpuFormat(const Session& session);
 
 }  // namespace umbra

@@ -53,7 +53,7 @@ std::string whyNotProbeName(const std::vector<NamedProbe>& probes, std::string_v
 void keepProbe(Session& session, NamedProbe probe) {
   if (session.probes.size() >= NamedProbe::most)
     throw Error(ErrorKind::BadInput, "there are " + std::to_string(NamedProbe::most) +
-                                         " probes, which is as many as can be kept; delete one");
+                                         " probes, which is as many as can be saved; delete one");
   if (const std::string reason = whyNotProbeName(session.probes, probe.name); !reason.empty())
     throw Error(ErrorKind::BadInput, reason);
   session.keptProbe = probe.name;

@@ -5,8 +5,8 @@
 namespace umbra {
 namespace {
 
-// Shows another technique in a pane that is set by itself, with parameters of its own if it had
-// some: those that panes share.
+// Shows another technique in a pane. Parameters of its own, if it has some, become those that panes
+// share of that technique.
 void exchangeTechnique(Workspace& workspace, std::size_t pane, const std::string& id) {
   Pane& changed = workspace.comparison.panes[pane];
   if (changed.own.parameters) changed.own.parameters = parametersOf(workspace.shared, id);

@@ -188,21 +188,48 @@ TEST(ComparedProbe, EveryPaneIsProbedWithItsOwnSettings) {
 
 TEST(ComparedProbe, SavedProbesHaveTheirPanes) {
   const TemporaryFolder folder;
-  std::ofstream(folder.file("s.json"))
-      << R"({"format": "umbrascope-session/1", "technique": "vsm", "size": [160, 120],
-             "source": {"scene": "three-planes"}, "frame": {"mapSize": 128},
-             "probes": [{"name": "here", "point": [0, 0, 0]}],
-             "compare": {"mode": "grid", "panes": [{"technique": "vsm"},
-               {"technique": "vsm", "kernel": {"radius": 9}}]}})";
-  const Json all =
-      run({"probe", "--session", folder.file("s.json"), "--named", "all", "--json"}).json();
+  const std::string file = folder.file("s.json");
+  const auto write = [&](const std::string& more) {
+    std::ofstream(file) << R"({"format": "umbrascope-session/1", "technique": "vsm",
+        "size": [160, 120], "source": {"scene": "three-planes"}, "frame": {"mapSize": 128}, )" +
+                               more + "}";
+  };
+  write(R"("probe": [80, 80])");
+  const Json world = run({"probe", "--session", file, "--json"}).json()["world"];
+  const std::string probes = R"("probes": [{"name": "here", "point": )" + world.dump() + "}], ";
+  write(probes + R"("compare": {"mode": "wipe", "panes": [{"technique": "vsm"},
+                      {"technique": "vsm", "kernel": {"radius": 9}}]})");
+  const Json all = run({"probe", "--session", file, "--named", "all", "--json"}).json();
   ASSERT_EQ(all["probes"].size(), 1u);
   ASSERT_EQ(all["probes"][0]["panes"].size(), 2u);
-  for (const Json& pane : all["probes"][0]["panes"])
-    EXPECT_NE(pane.contains("reason"), pane.contains("techniques"));
-  const std::string text =
-      run({"probe", "--session", folder.file("s.json"), "--named", "here"}).out;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Json& pane = all["probes"][0]["panes"][i];
+    const Json alone = run({"probe", "--session", file, "--named", "here", "--technique", "vsm",
+                            "--radius", i == 0 ? "3" : "9", "--json"})
+                           .json();
+    EXPECT_EQ(pane["techniques"], alone["techniques"]) << i;
+    EXPECT_EQ(pane["reference"], alone["reference"]) << i;
+  }
+  const std::string text = run({"probe", "--session", file, "--named", "here"}).out;
   EXPECT_NE(text.find("vsm, pane 2: kernel.radius 9"), std::string::npos) << text;
+}
+
+// A pane that cannot be drawn stands in nobody's way: it says why it has no probe.
+TEST(ComparedProbe, APaneThatCannotBeDrawnSaysWhy) {
+  const TemporaryFolder folder;
+  for (const char* other : {R"("power-cdf", "filter": "sat")", R"("vsm", "format": "double")"}) {
+    std::ofstream(folder.file("s.json"))
+        << R"({"format": "umbrascope-session/1", "technique": "vsm", "size": [160, 120],
+               "source": {"scene": "three-planes"}, "frame": {"mapSize": 128}, "probe": [80, 80],
+               "compare": {"mode": "wipe", "panes": [{"technique": "vsm", "active": true},
+                 {"technique": )"
+        << other << "}]}}";
+    const Json json = run({"probe", "--session", folder.file("s.json"), "--json"}).json();
+    ASSERT_EQ(json["panes"].size(), 2u) << other;
+    EXPECT_TRUE(json["panes"][0].contains("techniques")) << other;
+    EXPECT_TRUE(json["panes"][1].contains("reason")) << other;
+    EXPECT_FALSE(json["panes"][1].contains("techniques")) << other;
+  }
 }
 
 // A pane's parameters belong to its technique. As in the window, another technique in the pane

@@ -78,6 +78,13 @@ void LessonsTest::lightBleedingIsPredictedThenMeasured() {
   QTest::keyClick(question.field(), Qt::Key_Return);
   QVERIFY(window.lessons().progress()->veiled());
 
+  // The lower end is a prediction like any other.
+  question.slider()->setFocus();
+  QTest::keyClick(question.slider(), Qt::Key_Left);
+  QCOMPARE(question.field()->value(), 0.0);
+  QVERIFY(window.findChild<QPushButton*>("predictionButton")->isEnabled());
+  question.field()->setFocus();
+
   // The prediction is made by the slider, then set to the figure in the field, with Enter.
   question.slider()->setValue(question.slider()->maximum() / 4);
   QCOMPARE(question.field()->value(), 0.25);

@@ -108,11 +108,15 @@ QWidget* LessonQuestionPane::makeEntry() {
   grid->addWidget(field_, 1, 1);
   grid->addWidget(button_, 2, 0, 1, 2);
   grid->setColumnStretch(0, 1);
-  connect(slider_, &QSlider::valueChanged, this, [this](int steps) {
+  const auto take = [this] {
     const QSignalBlocker quiet(field_);
-    field_->setValue(std::lerp(low_, high_, double(steps) / sliderSteps));
+    field_->setValue(std::lerp(low_, high_, double(slider_->sliderPosition()) / sliderSteps));
     button_->setEnabled(true);
-  });
+  };
+  connect(slider_, &QSlider::valueChanged, this, take);
+  // The slider stands at the lower end while nothing is predicted: to touch it there predicts that.
+  connect(slider_, &QSlider::sliderPressed, this, take);
+  connect(slider_, &QSlider::actionTriggered, this, take);
   connect(field_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double value) {
     const QSignalBlocker quiet(slider_);
     slider_->setValue(int(std::lround((value - low_) / (high_ - low_) * sliderSteps)));

@@ -47,8 +47,8 @@ class SessionController : public QObject {
 
   // One step for undo. Edits in a row with the same `mergeKey` become one step, until `endMerge`.
   // The source must stay as it is: `open` changes it.
-  // `edit` changes what the active pane shows, `editPanes` which panes there are and which
-  // techniques they have.
+  // `edit` changes what the active pane shows; `editPanes` everything about panes: which ones there
+  // are, their techniques, how they are laid out, and what is their own.
   void edit(const QString& text, const std::function<void(Session&)>& change,
             const QString& mergeKey = {});
   void editPanes(const QString& text, const std::function<void(Workspace&)>& change,
@@ -58,16 +58,16 @@ class SessionController : public QObject {
   // first probe is put.
   void amend(const std::function<void(Session&)>& change);
 
-  // Reads the session's source beside this thread; what is open stays until it is there. One step
+  // Reads the workspace's source beside this thread; what is open stays until it is there. One step
   // for undo.
   void open(const Workspace& workspace);
   // Opens another source with the same technique and frame settings, and with the light and camera
   // that the source brings.
   void openSource(const SceneSource& source);
 
-  // Shows another session, such as a lesson's step, while the person's own waits with its history.
-  // Its source is read beside this thread unless it is open already. Changes to it have a history
-  // of their own, which ends with the visit or with the next one.
+  // Shows another workspace, such as a lesson's step, while the person's own waits with its
+  // history. Its source is read beside this thread unless it is open already. Changes to it have a
+  // history of their own, which ends with the visit or with the next one.
   void visit(const Workspace& workspace);
   // Brings the person's own session back as it was, at once. Does nothing where none waits.
   void leave();

@@ -1,6 +1,6 @@
 // Workspaces as JSON, which people call sessions: for files, for the window's memory and inside
-// exported pictures. Light, camera, frame and size are read and written by the tables of settings
-// (SessionSettings.h); an example:
+// exported EXR files, of which each part has the session that it shows. Light, camera, frame and
+// size are read and written by the tables of settings (SessionSettings.h); an example:
 //
 // {"format": "umbrascope-session/1",
 //  "source": {"scene": "tree-bench", "parameters": {"a": 0.1}}

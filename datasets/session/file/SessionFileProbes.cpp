@@ -75,7 +75,7 @@ void readProbes(JsonObject& object, Session& session) {
   object.readList("probes", [&](const Json& element, const std::string& where) {
     if (session.probes.size() == NamedProbe::most)
       throw Error(ErrorKind::BadInput, where + ": is one too many, at most " +
-                                           std::to_string(NamedProbe::most) + " are kept");
+                                           std::to_string(NamedProbe::most) + " are saved");
     session.probes.push_back(probeFrom(element, where, session));
   });
   object.readName("keptProbe", [&](const std::string& name, const std::string& where) {

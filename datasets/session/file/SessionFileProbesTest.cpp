@@ -40,7 +40,7 @@ TEST(SessionFileProbes, KeptProbesThatCannotBeAreRefused) {
   for (int i = 1; i <= 13; ++i)
     many += (i > 1 ? ", " : "") + ("{\"name\": \"" + std::to_string(i)) + "\", " + at;
   EXPECT_EQ(probesError("[" + many + "]"),
-            "s.json: probes[13]: is one too many, at most 12 are kept");
+            "s.json: probes[13]: is one too many, at most 12 are saved");
   const std::string onFile = R"("source": {"depth": "m.exr"}, )";
   EXPECT_EQ(probesError(first + "]", onFile),
             "s.json: probes[1]: on a depth file needs a 'texel' and no 'point'");

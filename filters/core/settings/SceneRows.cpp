@@ -9,6 +9,7 @@ using detail::settingRow;
 
 constexpr std::string_view group = "View";
 constexpr std::string_view kinds[] = {"directional", "spot"};
+constexpr std::string_view kindTitles[] = {"Directional", "Spot"};
 
 std::string_view withoutCone(const Light& light) {
   return light.kind == LightKind::Spot ? "" : "a directional light has no cone";
@@ -24,6 +25,7 @@ constexpr SettingRow<Light> lightRows[] = {
          .noun = "light",
          .choices = kinds,
          .doc = "Shines everywhere in one direction, or from a point in a cone",
+         .choiceTitles = kindTitles,
          .stage = Stage::Depth}),
     settingRow<&Light::position>({.name = "light.position",
                                   .key = "light.position",
@@ -59,6 +61,7 @@ constexpr SettingRow<Light> lightRows[] = {
                                    .low = Light::smallestHalfAngle,
                                    .high = Light::largestHalfAngle,
                                    .doc = "From the axis of a spot light to the edge of its cone",
+                                   .greyedWhenIdle = true,
                                    .stage = Stage::Depth},
                                   withoutCone),
     settingRow<&Light::colour>({.name = "light.colour",
@@ -120,6 +123,7 @@ constexpr SettingRow<Camera> cameraRows[] = {
                              .low = -largestCoordinate,
                              .high = largestCoordinate,
                              .doc = "The direction that is up in the picture",
+                             .reach = 1.0,
                              .stage = Stage::Shade}),
     settingRow<&Camera::viewAngle>({.name = "camera.view-angle",
                                     .key = "camera.viewAngle",
