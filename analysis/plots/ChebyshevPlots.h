@@ -27,9 +27,9 @@ class Occluders {
 
  private:
   double spread_ = 0.0, gap_ = 0.0;
-  // Of the occluders: their weight, and the weighted sums of B − d and of its square.
+  // The occluders' weight, and the weighted sums of B − d and of its square over them.
   double weight_ = 0.0, apart_ = 0.0, apartSquared_ = 0.0;
-  // Of the other texels: the weighted sums of d − z_r and of its square.
+  // The weighted sums of d − z_r and of its square over the other texels.
   double behind_ = 0.0, behindSquared_ = 0.0;
 };
 

@@ -93,10 +93,10 @@ ProbeCommand::ProbeCommand(OptionParser& command) {
       "--trace", trace,
       {group, "", "Also how each technique comes to its visibility, and which step goes wrong"});
   command.setFooter(
-      "Of a session that compares, each pane's technique is also probed with the pane's own\n"
-      "settings, unless --technique names techniques; the table of all techniques has those of "
-      "the\n"
-      "active pane.");
+      "A session that compares is also probed in every pane, with the pane's own technique and\n"
+      "settings, unless --technique names techniques. The table of all techniques has the "
+      "settings\n"
+      "of the active pane.");
   options.addTo(command);
 }
 
@@ -314,7 +314,7 @@ void ProbeCommand::probeKept(const Subject& subject, const std::vector<NamedProb
   finishTable(source, results);
 }
 
-// With what was asked for beside the probe.
+// Adds what was asked for beside the probe.
 ProbeCommand::Taken ProbeCommand::describe(SceneProbe probe, HeadlessFrame& frame,
                                            const Session& session) const {
   // A report for people says it only where it was asked for.

@@ -26,7 +26,7 @@ class HeaderWalk {
     if (number() != magic) return;
     const std::optional<std::uint32_t> version = number();
     if (!version) return;
-    // Of several parts, an empty header ends the list.
+    // An empty header ends the list in a file of several parts.
     while (checkHeader() && (*version & severalParts)) {
     }
   }

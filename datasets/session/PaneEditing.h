@@ -16,11 +16,11 @@ void setLinked(Workspace& workspace, std::size_t pane, bool linked);  // every s
 // was the only one; in a wipe, the other side. Where there are `most` panes already,
 // the last of the others makes room.
 void duplicatePane(Workspace& workspace, std::size_t pane);
-// Settings as the active pane has them, its parameters where both have the same technique. What the
-// pane shared and can share still, it goes on sharing.
+// Gives the pane the active pane's settings, and its parameters if both have the same technique.
+// The pane goes on sharing what it shared and can still share.
 void copyActiveSettings(Workspace& workspace, std::size_t pane);
-// Of two panes that are to be seen, the other one is left as a single picture. Panes behind a wipe
-// stay for the next comparison.
+// Takes the pane away. If two panes are to be seen, the other one is left as a single picture;
+// panes behind a wipe stay for the next comparison.
 void closePane(Workspace& workspace, std::size_t pane);
 
 }  // namespace umbra

@@ -8,7 +8,8 @@
 namespace umbra {
 namespace {
 
-// Of one setting for every pane; empty where a pane has nothing of the kind.
+// Holds one setting's text for every pane; a text is empty where the setting does nothing in a
+// pane.
 using Column = std::vector<std::string>;
 
 // Puts the number in place of #, and leaves out the plural's s after a count of one.

@@ -71,7 +71,7 @@ class vtkUmbraFramePass : public vtkRenderPass {
   const std::vector<Cascade>& FitCascades(vtkRenderer* renderer);
   const std::vector<Cascade>& GetCascades() const { return this->Cascades; }
   const FrameSettings& GetSettings() const { return this->Settings; }
-  // Of the last frame, which HasFrame() says there is.
+  // These two describe the last frame; HasFrame() says whether there is one.
   const FrameSettings& GetDrawnSettings() const { return this->DrawnSettings; }
   std::shared_ptr<const Technique> GetDrawnTechnique() const { return this->Adapted->clone(); }
   // Read back once per bake: equal pointers mean that nothing was drawn anew between them.

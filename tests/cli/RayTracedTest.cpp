@@ -89,7 +89,7 @@ TEST(RayTraced, SurfacesAreComparedWithIt) {
   EXPECT_GT(traced["meanBleeding"], 0.0);
   EXPECT_EQ(pcf["area"], traced["area"]);
   EXPECT_NE(pcf["shadowedArea"], traced["shadowedArea"]);
-  // Of edges within a texel: both see the same shadows.
+  // Both see the same shadows, but for edges within a texel.
   EXPECT_NEAR(pcf["shadowedArea"].get<double>(), traced["shadowedArea"].get<double>(),
               0.2 * pcf["shadowedArea"].get<double>());
 }

@@ -115,7 +115,7 @@ QVector<QPoint> triangleIn(const PictureCanvas& canvas) {
   return {{width / 4, height / 3}, {width * 3 / 4, height / 2}, {width / 3, height * 4 / 5}};
 }
 
-// Of the pixels in `mask`, the one whose `part` is largest in size.
+// Finds the pixel in `mask` whose `part` is largest in size.
 Pixel worstByHand(const ErrorDecomposition& errors, ErrorPart part,
                   const Image<std::uint8_t>* mask = nullptr) {
   Pixel worst;

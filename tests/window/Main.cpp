@@ -34,7 +34,7 @@ QStringList casesOf(const QObject& test) {
   return cases;
 }
 
-// Of one class, those that `names` ask for.
+// Lists the cases of one class that `names` ask for.
 QStringList chosenOf(const QObject& test, const QStringList& names) {
   const QString name = nameOf(test);
   QStringList chosen;

@@ -171,7 +171,7 @@ void PaneSettingsTest::aPanesMenuSharesAndCloses() {
   settlePanes();
 }
 
-// Of the pictures that are kept, the oldest is what two panes show: one more drives neither out.
+// Two panes show the oldest of the pictures that are kept: one more picture drives neither out.
 void PaneSettingsTest::whatPanesShowIsKept() {
   MainWindow& window = open(comparing(ComparisonMode::Grid, {"vsm", "msm", "pcf"}));
   ComparisonPanes& panes = window.centre().comparison();

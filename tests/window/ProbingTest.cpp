@@ -112,7 +112,7 @@ void ProbingTest::aPinnedProbeStaysOnItsPoint() {
   const auto& report = window.prober().report();
   QVERIFY(report->pinned);
   QVERIFY(!(report->pixel == pixel));
-  // Of two neighbouring pixels both may be nearest to the point.
+  // Two neighbouring pixels may both be nearest to the point.
   const double pixelSize = 2.0 * way.norm() / window.view().pixels().height();
   QVERIFY((*report->point - point).norm() < 4.0 * pixelSize);
   // Pinned elsewhere, it comes back to its point by undo, wherever that is seen by now.

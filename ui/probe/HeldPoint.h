@@ -39,7 +39,8 @@ class HeldPoint {
   // and nothing but the camera has changed since, what was read there goes on to be read, so that
   // the figures stay those of a picture.
   std::variant<SurfacePlace, NotRead> find(SceneView& view, const Document& document);
-  // That it lies on, in a scene that has been drawn; "" where it lies on none.
+  // Names the object that the point lies on, in a scene that has been drawn; "" where it lies on
+  // none.
   std::string objectName(const Document& document);
 
  private:

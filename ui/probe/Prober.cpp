@@ -49,7 +49,7 @@ void Prober::sessionChanged(const Document& before, const Document& after) {
   if (after.content.depth) refresh();  // a scene is probed after the frame that follows
 }
 
-// That the session's probe is at; null where it is at none.
+// Returns the saved probe that the session's probe is at; null where it is at none.
 const NamedProbe* Prober::keptProbe() const {
   const Session& session = controller_.session();
   return session.probe ? probeNamed(session.probes, session.keptProbe) : nullptr;

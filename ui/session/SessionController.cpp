@@ -133,8 +133,8 @@ void SessionController::show(const Document& document) {
   emit changed(before, document_);
 }
 
-// Of a technique whose parameters and format stay as they are the instance stays, so that what was
-// found out about it holds.
+// An instance stays while its technique's parameters and format stay, so that what was found out
+// about it holds.
 void SessionController::rebuildTechniques(const Session& session) {
   if (!catalogue_.has(session.technique)) catalogue_.make(session.technique);  // throws
   std::vector<Made> made;

@@ -38,7 +38,7 @@ class JsonObject {
   void readList(std::string_view key,
                 const std::function<void(const nlohmann::ordered_json& element,
                                          const std::string& where)>& visit);
-  // Of a text, or of a list of texts that are its lines.
+  // Takes a text, or a list of texts that are its lines.
   void readLines(std::string_view key, std::string& target);
   // Calls `visit` with every key that no read asked for and its value.
   void readRest(const std::function<void(const std::string& key, const nlohmann::ordered_json&,

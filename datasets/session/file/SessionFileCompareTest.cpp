@@ -70,7 +70,7 @@ TEST(SessionFileCompare, EverySettingOfAPaneSurvivesByItself) {
     }
 }
 
-// Of a list the file says which pane is active by the session's technique alone.
+// Where a file lists techniques, the session's technique alone says which pane is active.
 TEST(SessionFileCompare, ATechniqueChosenBesideTheListStandsWhereTheActivePaneWas) {
   Workspace workspace = unusualWorkspace();
   workspace.shared.technique = "lvsm";

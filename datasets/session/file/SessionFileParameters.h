@@ -16,7 +16,7 @@ nlohmann::ordered_json toJson(const ParameterValues& values);
 // later. Throw BadInput for an unknown technique or parameter, a value out of range, and values
 // that contradict each other.
 void readParameters(JsonObject& object, TechniqueParameters& parameters);
-// Of the technique `id`, which exists.
+// Reads the values of the technique `id`, which must exist.
 ParameterValues readParameterValues(JsonObject& object, const std::string& id);
 
 }  // namespace umbra
