@@ -20,7 +20,7 @@ struct PaneProbe {
   std::string reason;          // why the pane has no probe there
 };
 
-// A probe with its fields, which takes a pane's technique and settings.
+// A probe, and what a report says of it.
 struct TakenProbe {
   Probe probe;
   Json json;

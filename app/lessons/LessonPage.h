@@ -9,8 +9,8 @@
 
 namespace umbra {
 
-// `results` as measureSteps gives them. Pictures are data URIs, plots are drawn in SVG; answers are
-// folded away.
+// `results` as LessonMeasurer gives them. Pictures are data URIs, plots are drawn in SVG; answers
+// are folded away.
 std::string lessonPage(Display& display, const Lesson& lesson,
                        const std::vector<StepResult>& results);
 

@@ -1,7 +1,6 @@
 #include "app/lessons/LessonSteps.h"
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 #include "analysis/errors/BleedReduction.h"
@@ -37,65 +36,77 @@ Metrics metricsOf(HeadlessFrame& frame, const Technique& technique) {
   return sum.result();
 }
 
-// The scene of the last step on one context: steps that look at the same scene do not load it
-// again.
-class ShownScene {
- public:
-  explicit ShownScene(Display& display) : display_(display) {}
+// The step's session in a picture of that shape.
+Session sessionIn(const LessonStep& step, const std::optional<PictureShape>& shape) {
+  Session session = step.session;
+  if (!shape) return session;
+  session.width = shape->width;
+  session.height = shape->height;
+  return session;
+}
 
-  HeadlessFrame& show(const Session& session) {
-    if (!scene_ || !(source_ == session.source)) {
-      scene_ = std::make_shared<const Scene>(loadScene(session.source));
-      source_ = session.source;
-    }
-    if (frame_)
-      frame_->show(scene_, session);
-    else
-      frame_ = display_.makeFrame(scene_, session);
-    return *frame_;
-  }
-
- private:
-  Display& display_;
-  SceneSource source_;
-  std::shared_ptr<const Scene> scene_;
-  std::unique_ptr<HeadlessFrame> frame_;
-};
-
-StepResult measure(ShownScene& shown, const Lesson& lesson, std::size_t step,
-                   const std::optional<PictureShape>& shape) {
-  Session session = lesson.steps[step].session;
-  if (shape) std::tie(session.width, session.height) = std::pair(shape->width, shape->height);
+// `frame` shows `session`.
+StepResult measure(HeadlessFrame& frame, const Session& session, const Lesson& lesson,
+                   std::size_t step) {
   const TechniqueCatalogue catalogue = allTechniques();
-  HeadlessFrame* frame = &shown.show(session);
   std::vector<std::shared_ptr<Technique>> techniques;
   for (const std::string& id : techniquesOf(lesson, step))
     techniques.push_back(techniqueOf(session, catalogue, id));
   const NamedProbe point{lessonProbe, lesson.steps[step].at, {}, session.receiver};
-  KeptSceneProbe probe = probeKept(*frame, session, techniques, {point}, {}).front();
+  KeptSceneProbe probe = probeKept(frame, session, techniques, {point}, {}).front();
   if (!probe.probe) throw Error(ErrorKind::BadInput, "at: " + probe.reason);
   StepResult result{std::move(*probe.probe), {}, {}};
   if (!result.probe.probe.refused.empty())
     throw Error(ErrorKind::BadInput, result.probe.probe.refused.front().reason);
   for (const std::string& id : framesOf(lesson, step)) {
     throwIfCancelled();
-    result.metrics[id] = metricsOf(*frame, *techniqueOf(session, catalogue, id));
+    result.metrics[id] = metricsOf(frame, *techniqueOf(session, catalogue, id));
   }
-  frame->render(*techniques.front(), session.frame.view);
-  result.picture = frame->colour();
+  frame.render(*techniques.front(), session.frame.view);
+  result.picture = frame.colour();
   return result;
 }
 
 }  // namespace
 
-std::vector<StepResult> measureSteps(Display& display, const Lesson& lesson,
-                                     const std::optional<PictureShape>& shape) {
+class LessonMeasurer::Scenes {
+ public:
+  explicit Scenes(Display& display) : display_(display) {}
+
+  HeadlessFrame& show(const Session& session) {
+    const std::shared_ptr<const Scene> scene = sceneOf(session.source);
+    if (frame_)
+      frame_->show(scene, session);
+    else
+      frame_ = display_.makeFrame(scene, session);
+    return *frame_;
+  }
+
+ private:
+  std::shared_ptr<const Scene> sceneOf(const SceneSource& source) {
+    for (const auto& [loaded, scene] : loaded_)
+      if (loaded == source) return scene;
+    loaded_.emplace_back(source, std::make_shared<const Scene>(loadScene(source)));
+    return loaded_.back().second;
+  }
+
+  Display& display_;
+  std::vector<std::pair<SceneSource, std::shared_ptr<const Scene>>> loaded_;
+  std::unique_ptr<HeadlessFrame> frame_;
+};
+
+LessonMeasurer::LessonMeasurer(Display& display) : scenes_(std::make_unique<Scenes>(display)) {}
+
+LessonMeasurer::~LessonMeasurer() = default;
+
+std::vector<StepResult> LessonMeasurer::steps(const Lesson& lesson,
+                                              const std::optional<PictureShape>& shape) {
   std::vector<StepResult> results;
-  ShownScene shown(display);
   for (std::size_t step = 0; step < lesson.steps.size(); ++step) {
     throwIfCancelled();
     try {
-      results.push_back(measure(shown, lesson, step, shape));
+      const Session session = sessionIn(lesson.steps[step], shape);
+      results.push_back(measure(scenes_->show(session), session, lesson, step));
     } catch (const Error& error) {
       // What is wrong is in the lesson, not among the options of this command.
       const bool input =

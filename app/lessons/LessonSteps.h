@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,18 +25,29 @@ struct ClaimResult {
   bool holds = false;
 };
 
-// In pixels.
+// The size of a picture, in pixels.
 struct PictureShape {
   int width, height;
 };
 // The windows in which a lesson must hold: wide and narrow ones, large and small.
 inline constexpr PictureShape lessonShapes[] = {{1280, 720}, {1600, 900}, {1000, 900}, {960, 540}};
 
-// In the order of the lesson's steps, in pictures of that shape or else of the steps' sessions.
-// Throws BadInput that names lesson and step for a point on no surface and for a technique that the
-// step's format cannot hold.
-std::vector<StepResult> measureSteps(Display& display, const Lesson& lesson,
-                                     const std::optional<PictureShape>& shape = {});
+// Draws and measures lessons on one OpenGL context; a scene is loaded once.
+class LessonMeasurer {
+ public:
+  explicit LessonMeasurer(Display& display);
+  ~LessonMeasurer();
+
+  // In the order of the lesson's steps, in pictures of that shape or else of the steps' sessions.
+  // Throws BadInput that names lesson and step for a point on no surface and for a technique that
+  // the step's format cannot hold.
+  std::vector<StepResult> steps(const Lesson& lesson,
+                                const std::optional<PictureShape>& shape = {});
+
+ private:
+  class Scenes;
+  std::unique_ptr<Scenes> scenes_;
+};
 
 double valueOf(const std::vector<StepResult>& results, const LessonQuantity& quantity);
 ClaimResult checkClaim(const std::vector<StepResult>& results, const LessonClaim& claim);

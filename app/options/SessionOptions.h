@@ -33,10 +33,10 @@ class SessionOptions {
   // What the options describe, checked: the workspace of --session or the default, with the options
   // laid over its active pane. Throws BadCommandLine (option), BadInput (session file, scene).
   Workspace workspace(const TechniqueCatalogue& catalogue) const;
-  // What the active pane of that workspace shows.
-  Session session(const TechniqueCatalogue& catalogue) const;
   // The same with another base, such as the scene or file that a positional argument names.
   Workspace over(Workspace base, const TechniqueCatalogue& catalogue) const;
+  // What the active pane of workspace() shows.
+  Session session(const TechniqueCatalogue& catalogue) const;
 
   // The ids of --technique in the order given, each once. `fallback` where the option is absent.
   TechniqueChoice techniques(const TechniqueCatalogue& catalogue,

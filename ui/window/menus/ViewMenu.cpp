@@ -36,7 +36,6 @@ ViewMenu::ViewMenu(SessionController& controller, QWidget* parent)
     controller_.edit(tr("Reset light"), [](Session& session) { session.light.reset(); });
   });
   addForm(tr("Ca&mera in numbers"), makeCameraForm(controller_));
-  addForm(tr("Li&ght in numbers"), makeLightForm(controller_));
   connect(&controller_, &SessionController::changed, this, &ViewMenu::refresh);
   refresh();
 }
