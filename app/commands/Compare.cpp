@@ -173,7 +173,7 @@ void CompareCommand::compareScene(const Workspace& workspace) const {
   checkGpuFormat(session);
   const std::vector<Drawing> chosen = drawings(workspace);
   for (const Drawing& drawing : chosen) checkGpuFormat(drawing.session);
-  const auto scene = std::make_shared<const Scene>(loadScene(session.source));
+  const auto scene = options.scene(session.source);
   const std::unique_ptr<Display> display = loadDisplay();
   const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
   std::optional<OutputFolder> files;

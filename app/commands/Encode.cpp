@@ -95,7 +95,7 @@ void EncodeCommand::encodeDepthMap(Session session, ChannelFile& file) const {
 void EncodeCommand::encodeScene(const Session& session, ChannelFile& file) const {
   checkGpuFormat(session);
   const auto chosen = techniques(session);
-  const auto scene = std::make_shared<const Scene>(loadScene(session.source));
+  const auto scene = options.scene(session.source);
   const std::unique_ptr<Display> display = loadDisplay();
   const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
   if (chosen.empty()) frame->render(*catalogue.make("hard"), ViewMode::Shaded);

@@ -252,7 +252,7 @@ void ProbeCommand::probePixel(const Workspace& workspace) const {
   subject.panes = panes(workspace);
   for (Drawing& pane : subject.panes)
     if (pane.refusal.empty()) pane.refusal = whyNoGpuFormat(pane.session);
-  const auto scene = std::make_shared<const Scene>(loadScene(session.source));
+  const auto scene = options.scene(session.source);
   const std::unique_ptr<Display> display = loadDisplay();
   const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
   if (!kept.empty()) return probeKept(subject, kept, scene, *frame, *display);

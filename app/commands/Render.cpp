@@ -91,7 +91,7 @@ void RenderCommand::run() const {
 void RenderCommand::renderPicture(const Workspace& workspace) const {
   const std::vector<Drawing> chosen = drawings(workspace);
   const Session session = sessionOf(workspace);
-  const auto scene = std::make_shared<const Scene>(loadScene(session.source));
+  const auto scene = options.scene(session.source);
   const std::unique_ptr<Display> display = loadDisplay();
   const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
   std::vector<LabelledPicture> pictures;
@@ -112,7 +112,7 @@ void RenderCommand::renderPicture(const Workspace& workspace) const {
 void RenderCommand::renderLayers(const Workspace& workspace) const {
   const std::vector<Drawing> chosen = drawings(workspace);
   const Session session = sessionOf(workspace);
-  const auto scene = std::make_shared<const Scene>(loadScene(session.source));
+  const auto scene = options.scene(session.source);
   const std::unique_ptr<Display> display = loadDisplay();
   const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
   FrameLayers layers(session);

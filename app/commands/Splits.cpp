@@ -76,7 +76,7 @@ int SplitsCommand::layerCount(const Session& session) const {
 DepthMap SplitsCommand::depthMap(const Session& session) const {
   if (session.source.kind == SourceKind::DepthFile) return loadDepthMap(session.source);
   checkGpuFormat(session);
-  const auto scene = std::make_shared<const Scene>(loadScene(session.source));
+  const auto scene = options.scene(session.source);
   const std::unique_ptr<Display> display = loadDisplay();
   const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
   frame->render(*catalogue.make("hard"), ViewMode::Shaded);

@@ -44,7 +44,7 @@ void TourCommand::run() const {
   const auto chosen = makeTechniques(
       session, catalogue, options.techniques(catalogue, {{"hard", "pcf", "vsm", "power-cdf"}}));
   const std::shared_ptr<Technique> suspect = suspectOf(chosen);
-  const auto scene = std::make_shared<const Scene>(loadScene(session.source));
+  const auto scene = options.scene(session.source);
   const std::unique_ptr<Display> display = loadDisplay();
   const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
 

@@ -74,7 +74,7 @@ class LessonMeasurer::Scenes {
   explicit Scenes(Display& display) : display_(display) {}
 
   HeadlessFrame& show(const Session& session) {
-    const std::shared_ptr<const Scene> scene = sceneOf(session.source);
+    const std::shared_ptr<const Scene> scene = scenes_.scene(session.source);
     if (frame_)
       frame_->show(scene, session);
     else
@@ -83,15 +83,8 @@ class LessonMeasurer::Scenes {
   }
 
  private:
-  std::shared_ptr<const Scene> sceneOf(const SceneSource& source) {
-    for (const auto& [loaded, scene] : loaded_)
-      if (loaded == source) return scene;
-    loaded_.emplace_back(source, std::make_shared<const Scene>(loadScene(source)));
-    return loaded_.back().second;
-  }
-
   Display& display_;
-  std::vector<std::pair<SceneSource, std::shared_ptr<const Scene>>> loaded_;
+  SceneLoader scenes_;
   std::unique_ptr<HeadlessFrame> frame_;
 };
 

@@ -37,12 +37,6 @@ std::string nearestScene(const std::string& name) {
   return nearest.empty() ? "`umbrascope scenes` lists them" : "did you mean '" + nearest + "'?";
 }
 
-Content loaded(const SceneSource& source) {
-  Content content = loadSource(source);
-  for (const std::string& notice : content.notices) spdlog::warn("{}", notice);
-  return content;
-}
-
 }  // namespace
 
 SceneSource sceneSourceFrom(const std::string& name, std::string_view where) {
@@ -84,11 +78,16 @@ void adjustScene(SceneSource& source, const std::string& setting) {
                   (names.empty() ? ", nor any other" : "; it has " + joined(names)));
 }
 
-Scene loadScene(const SceneSource& source) {
+std::shared_ptr<const Scene> SceneLoader::scene(const SceneSource& source) {
   if (source.kind == SourceKind::DepthFile)
     throw Error(ErrorKind::BadCommandLine,
                 "--depth: a depth map has no scene to draw, give --scene NAME|FILE");
-  return *loaded(source).scene;
+  for (const auto& [known, scene] : loaded_)
+    if (known == source) return scene;
+  const Content content = loadSource(source);
+  for (const std::string& notice : content.notices) spdlog::warn("{}", notice);
+  loaded_.emplace_back(source, content.scene);
+  return content.scene;
 }
 
 std::string shortNameOf(const SceneSource& source) {

@@ -1,8 +1,11 @@
 // From the name that a person gives to the scene or depth map that it stands for.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "datasets/session/LoadSource.h"
 #include "datasets/session/Session.h"
@@ -16,9 +19,16 @@ SceneSource sceneSourceFrom(const std::string& name, std::string_view where);
 // "PARAMETER=VALUE" of a catalogue scene; throws BadCommandLine.
 void adjustScene(SceneSource& source, const std::string& setting);
 
-// The scene of a catalogue or mesh source, with a warning in the log for what a mesh file lost.
-// Throws BadInput, and BadCommandLine for a depth map, which has no scene.
-Scene loadScene(const SceneSource& source);
+// Scenes of catalogue and mesh sources. Each is built or read once, with one warning in the log for
+// what a mesh file lost.
+class SceneLoader {
+ public:
+  // Throws BadInput, and BadCommandLine for a depth map, which has no scene.
+  std::shared_ptr<const Scene> scene(const SceneSource& source);
+
+ private:
+  std::vector<std::pair<SceneSource, std::shared_ptr<const Scene>>> loaded_;
+};
 
 // For tables and files: the scene's name, or a file's name without its folder.
 std::string shortNameOf(const SceneSource& source);

@@ -5,7 +5,6 @@
 #include <system_error>
 
 #include "app/options/OptionValues.h"
-#include "app/options/SceneSources.h"
 #include "datasets/maps/DepthFile.h"
 #include "datasets/session/PaneChoice.h"
 #include "datasets/session/SessionSettings.h"
@@ -52,6 +51,7 @@ void SessionOptions::addInput(OptionParser& command) {
               {group, "NAME|FILE", "Scene of the catalogue, or mesh file (.obj .ply .off .stl)"});
   command.addRepeatable("--scene-set", sceneSettings_,
                         {group, "PARAMETER=VALUE", "Adjust the scene, see `scenes`; repeatable"});
+  command.add("--up", up_, {group, "y|z", "Which axis of the mesh file points up (default y)"});
   command.add("--depth", depth_,
               {group, "FILE.exr[:CHANNEL]",
                "Depth map instead of a scene: a float or half channel, by default Z"});
@@ -138,6 +138,11 @@ void SessionOptions::editSource(Session& session) const {
     std::tie(session.source.depthNear, session.source.depthFar) =
         depthRangeFrom(*depthRange_, "--depth-range");
   }
+  if (up_) {
+    if (session.source.kind != SourceKind::MeshFile)
+      throw Error(ErrorKind::BadCommandLine, "--up: only goes with a mesh file");
+    asOption([&] { session.source.up = upAxisFrom(*up_, "--up"); });
+  }
   for (const std::string& setting : sceneSettings_) adjustScene(session.source, setting);
   if ((scene_ || depth_) && !sameSource(session.source, former)) {  // places of another one
     session.probes.clear();
@@ -220,11 +225,11 @@ void SessionOptions::editView(Session& session) const {
   if (option.empty()) return editSettings(session, {}, {});
   if (session.source.kind == SourceKind::DepthFile)
     throw Error(ErrorKind::BadCommandLine, option + ": only goes with a scene");
-  const Scene scene = loadScene(session.source);
-  if (light_) session.light = lightFrom(*light_, "--light", session.light.value_or(scene.light));
+  const std::shared_ptr<const Scene> scene = this->scene(session.source);
+  if (light_) session.light = lightFrom(*light_, "--light", session.light.value_or(scene->light));
   if (camera_)
-    session.camera = cameraFrom(*camera_, "--camera", session.camera.value_or(scene.camera));
-  editSettings(session, scene.light, scene.camera);
+    session.camera = cameraFrom(*camera_, "--camera", session.camera.value_or(scene->camera));
+  editSettings(session, scene->light, scene->camera);
   asOption([&] {
     if (session.light) validate(*session.light, option);
     if (session.camera) validate(*session.camera, option);

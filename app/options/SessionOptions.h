@@ -2,12 +2,14 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "app/options/OptionParser.h"
+#include "app/options/SceneSources.h"
 #include "datasets/session/Workspace.h"
 #include "filters/core/settings/Setting.h"
 
@@ -41,6 +43,10 @@ class SessionOptions {
   // The ids of --technique in the order given, each once. `fallback` where the option is absent.
   TechniqueChoice techniques(const TechniqueCatalogue& catalogue,
                              const TechniqueChoice& fallback) const;
+  // The scene of a source, which is read once even where an option needed it before the command.
+  std::shared_ptr<const Scene> scene(const SceneSource& source) const {
+    return scenes_.scene(source);
+  }
   bool namesTechniques() const { return techniques_.has_value(); }
   bool namesSource() const { return scene_ || depth_; }
   bool namesSession() const { return session_.has_value(); }
@@ -69,10 +75,11 @@ class SessionOptions {
   void editSettings(Session& session, const Light& light, const Camera& camera) const;
   std::string optionOfScene() const;
 
-  Text scene_, depth_, depthRange_, session_;
+  Text scene_, up_, depth_, depthRange_, session_;
   std::vector<std::string> sceneSettings_, settings_;
   Text techniques_, light_, camera_;
-  std::deque<OfTable> table_;  // its elements stay where they are while it grows
+  mutable SceneLoader scenes_;  // what was read stays, nothing else changes
+  std::deque<OfTable> table_;   // its elements stay where they are while it grows
 };
 
 // Every id of the catalogue, in its order.

@@ -83,7 +83,7 @@ class MeshFileMutation : public testing::TestWithParam<Sample> {
     std::ofstream(file_, std::ios::binary) << content;
     MeshReport report;
     try {
-      const Scene scene = sceneFromMeshFile(file_, &report);
+      const Scene scene = sceneFromMeshFile(file_, UpAxis::Y, &report);
       for (const SceneObject& object : scene.objects) expectSound(object.mesh);
       EXPECT_TRUE(scene.camera.position.allFinite());
       EXPECT_TRUE(scene.light.position.allFinite());

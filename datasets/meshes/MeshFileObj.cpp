@@ -1,117 +1,111 @@
-// The check of an OBJ file. Such a file promises no count, so that one that was cut at a line's end
-// looks whole; a face whose vertices are missing is found.
-#include <algorithm>
-#include <map>
-
-#include "datasets/meshes/MeshFileCheck.h"
+// The reader of OBJ files. It is ours since OpenMesh's reads coordinates as floats, knows no parts,
+// and takes what it cannot read for 0. Such a file promises no count, so that one that was cut at a
+// line's end looks whole; a face whose vertices are missing is found.
 #include "datasets/meshes/MeshFileText.h"
+#include "datasets/meshes/PolygonMesh.h"
+#include "filters/core/support/Text.h"
 
-namespace umbra {
+namespace umbra::meshfile {
 namespace {
 
-using namespace meshfile;
+using Eigen::Vector3d;
 
-class ObjCheck {
+class ObjReader {
  public:
-  ObjCheck(const std::string& content, const std::string& name) : content_(content), name_(name) {}
+  ObjReader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
 
-  CheckedMesh run() {
-    countElements();
-    mesh_.materials = {""};
-    std::string_view rest = content_;
-    for (line_ = 1; const auto line = nextLine(rest); ++line_) element(*line);
+  PolygonMesh run() {
+    readVectors();
+    if (!normals_.empty()) mesh_.normals.assign(mesh_.positions.size(), Eigen::Vector3f::Zero());
+    readFaces();
+    if (badVectors_ > 0)
+      mesh_.notes.push_back(std::to_string(badVectors_) +
+                            " vertices or normals hold what is not a number, the first in line " +
+                            std::to_string(firstBad_));
     return std::move(mesh_);
   }
 
  private:
-  // Faces may refer to vertices that follow them.
-  void countElements() {
-    std::string_view rest = content_;
-    while (auto line = nextLine(rest)) {
+  // Faces may refer to vertices that follow them, so that these are read first.
+  void readVectors() {
+    TextLines lines(text_, TextLines::Backslash::Joins);
+    while (auto line = lines.next()) {
       const std::string_view key = nextWord(*line);
-      if (key == "v") ++mesh_.vertices;
-      if (key == "vn") ++normals_;
+      if (key == "v") mesh_.positions.push_back(vector(key, *line, lines.number()));
+      if (key == "vn") normals_.push_back(vector(key, *line, lines.number()));
     }
   }
 
-  void element(std::string_view line) {
-    const std::string_view key = nextWord(line);
-    if (key == "v" || key == "vn") {
-      vector(key, line);
-    } else if (key == "f") {
-      face(line);
-    } else if (key == "usemtl") {
-      const std::string material(nextWord(line));
-      const auto [found, isNew] = materialIndex_.try_emplace(material, mesh_.materials.size());
-      if (isNew) mesh_.materials.push_back(material);
-      material_ = found->second;
+  Vector3d vector(std::string_view key, std::string_view line, std::size_t number) {
+    std::string_view words = line;
+    if (const std::optional<Vector3d> value = vectorFrom(line)) return *value;
+    for (int i = 0; i < 3; ++i)
+      if (nextWord(words).empty())
+        refuseLine(name_, number, "has no three numbers after '" + std::string(key) + "'");
+    if (badVectors_++ == 0) firstBad_ = number;
+    return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  }
+
+  void readFaces() {
+    TextLines lines(text_, TextLines::Backslash::Joins);
+    while (auto line = lines.next()) {
+      const std::string_view key = nextWord(*line);
+      if (key == "v") {
+        ++verticesSoFar_;
+      } else if (key == "vn") {
+        ++normalsSoFar_;
+      } else if (key == "f") {
+        face(*line, lines.number());
+      } else if (key == "o" || key == "g") {
+        part_.object = trimmed(*line);
+        mesh_.beginPart(part_);
+      } else if (key == "usemtl") {
+        part_.material = trimmed(*line);
+        mesh_.beginPart(part_);
+      }
     }
   }
 
-  void vector(std::string_view key, std::string_view line) {
-    (mesh_.content += key);
-    const std::optional<bool> finite = copyVector(line, mesh_.content);
-    if (!finite) refuseLine(name_, line_, "has no three numbers after '" + std::string(key) + "'");
-    mesh_.content += '\n';
-    if (key == "vn") {
-      ++normalsSoFar_;
-      return;
-    }
-    if (!*finite) mesh_.nonFinite.push_back(std::uint32_t(verticesSoFar_));
-    ++verticesSoFar_;
-  }
-
-  // The 1-based index that a reference such as "12" or "-1" means.
-  std::int64_t resolved(std::string_view word, std::size_t soFar, std::size_t all,
-                        const char* what) const {
+  // The index, from 0, that a reference such as "12" or "-1" means.
+  std::uint32_t resolved(std::string_view word, std::size_t soFar, std::size_t all,
+                         const char* what, std::size_t line) const {
     const std::optional<std::int64_t> given = wholeFrom(word);
-    const std::int64_t index = given ? (*given < 0 ? std::int64_t(soFar) + *given + 1 : *given) : 0;
-    if (index < 1 || index > std::int64_t(all))
-      refuseLine(name_, line_,
-                 "has a face that refers to " + std::string(what) + " '" + std::string(word) +
+    const std::int64_t index =
+        given ? (*given < 0 ? std::int64_t(soFar) + *given : *given - 1) : -1;
+    if (index < 0 || index >= std::int64_t(all))
+      refuseLine(name_, line,
+                 "has a face that refers to " + std::string(what) + " '" + clipped(word) +
                      "'; the file has " + std::to_string(all));
-    return index;
+    return std::uint32_t(index);
   }
 
-  void face(std::string_view line) {
-    std::vector<std::int64_t> indices;
-    std::string text = "f";
+  void face(std::string_view line, std::size_t number) {
     for (std::string_view corner = nextWord(line); !corner.empty() && corner.front() != '#';
          corner = nextWord(line)) {
       const std::size_t slash = corner.find('/'), last = corner.rfind('/');
-      indices.push_back(
-          resolved(corner.substr(0, slash), verticesSoFar_, mesh_.vertices, "vertex"));
-      (text += ' ') += std::to_string(indices.back());
-      if (last != slash && last + 1 < corner.size()) {
-        const auto normal = resolved(corner.substr(last + 1), normalsSoFar_, normals_, "normal");
-        (text += "//") += std::to_string(normal);
-      }
+      const std::uint32_t vertex = resolved(corner.substr(0, slash), verticesSoFar_,
+                                            mesh_.positions.size(), "vertex", number);
+      mesh_.corners.push_back(vertex);
+      if (last != slash && last + 1 < corner.size())
+        mesh_.setNormal(vertex, normals_[resolved(corner.substr(last + 1), normalsSoFar_,
+                                                  normals_.size(), "normal", number)]);
     }
-    if (indices.size() < 3) refuseLine(name_, line_, "has a face of fewer than three vertices");
-    std::vector<std::int64_t> distinct = indices;
-    std::sort(distinct.begin(), distinct.end());
-    distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
-    if (distinct.size() < 3) {
-      ++mesh_.degenerateFaces;
-      return;
-    }
-    (mesh_.content += text) += '\n';
-    ++mesh_.faces;
-    mesh_.faceMaterials.push_back(material_);
+    mesh_.endFace();
   }
 
-  const std::string& content_;
+  std::string_view text_;
   const std::string& name_;
-  CheckedMesh mesh_;
-  std::size_t line_ = 0, normals_ = 0, verticesSoFar_ = 0, normalsSoFar_ = 0;
-  std::map<std::string, std::uint32_t> materialIndex_{{"", 0}};
-  std::uint32_t material_ = 0;
+  PolygonMesh mesh_;
+  std::vector<Vector3d> normals_;
+  MeshPart part_;
+  std::size_t verticesSoFar_ = 0, normalsSoFar_ = 0, badVectors_ = 0, firstBad_ = 0;
 };
 
 }  // namespace
 
-CheckedMesh checkObj(const std::string& content, const std::string& name) {
-  return ObjCheck(content, name).run();
+PolygonMesh readObj(std::string_view content, const std::string& name) {
+  std::string converted;
+  return ObjReader(plainText(content, converted), name).run();
 }
 
-}  // namespace umbra
+}  // namespace umbra::meshfile

@@ -1,185 +1,207 @@
-// The check of a PLY file. It walks over the elements as the header lays them out, and copies what
-// the picture needs.
+// The reader of PLY files. It walks over the elements as the header lays them out. It is ours since
+// OpenMesh's reads coordinates as floats, knows no triangle strips, and takes a truncated file for
+// a whole one; VTK's crashed on damaged ones.
 #include <algorithm>
 #include <array>
 
-#include "datasets/meshes/MeshFileCheck.h"
 #include "datasets/meshes/MeshFilePlyHeader.h"
+#include "datasets/meshes/MeshFilePlyValues.h"
 #include "datasets/meshes/MeshFileText.h"
+#include "datasets/meshes/PolygonMesh.h"
+#include "filters/core/support/Text.h"
 
-namespace umbra {
+namespace umbra::meshfile {
 namespace {
-
-using namespace meshfile;
 
 constexpr std::array<std::string_view, 6> vertexProperties{"x", "y", "z", "nx", "ny", "nz"};
 
-bool isFaceList(const PlyProperty& property) {
+bool isIndexList(const PlyProperty& property) {
   return property.count && (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 
-bool has(const PlyElement& element, std::string_view name) {
-  return std::any_of(element.properties.begin(), element.properties.end(),
-                     [&](const PlyProperty& p) { return !p.count && p.name == name; });
+std::size_t countOf(const PlyElement& element, std::string_view name) {
+  return std::size_t(
+      std::count_if(element.properties.begin(), element.properties.end(),
+                    [&](const PlyProperty& p) { return !p.count && p.name == name; }));
 }
 
-class PlyCheck {
+class PlyReader {
  public:
-  PlyCheck(std::string_view content, const std::string& name) : rest_(content), name_(name) {}
+  PlyReader(std::string_view content, const std::string& name)
+      : name_(name), header_(readPlyHeader(content, name)), values_(content, header_.format) {}
 
-  CheckedMesh run() {
-    header_ = readPlyHeader(rest_, name_);
+  PolygonMesh run() {
     findElements();
-    writeHeader();
     for (const PlyElement& element : header_.elements) {
-      read_ = 0;
-      if (element.properties.empty()) continue;  // whatever its count, it takes no bytes
-      for (element_ = &element; read_ < element.count; ++read_) copyElement();
-      // The elements after this one are not needed, and often are of unusual kinds.
-      if (&element == face_) break;
+      element_ = &element;
+      readElements();
+      // The elements after the faces are not needed, and often are of unusual kinds.
+      if (&element == last_ && header_.unknownLines == 0) break;
     }
+    checkUnknownLines();
     return std::move(mesh_);
   }
 
  private:
   void findElements() {
+    const PlyElement* faces = nullptr;
     for (const PlyElement& element : header_.elements) {
       if (element.name == "vertex" && !vertex_) vertex_ = &element;
-      if (element.name == "face" && !face_) face_ = &element;
+      const bool isFaces = element.name == "face", isStrips = element.name == "tristrips";
+      if (!isFaces && !isStrips) continue;
+      if (std::count_if(element.properties.begin(), element.properties.end(), isIndexList) != 1)
+        refuse(name_, "has " + std::string(isFaces ? "faces" : "triangle strips") +
+                          " without one list 'vertex_indices'");
+      if (!faces) faces = &element;
+      last_ = &element;
     }
-    if (!vertex_ || !face_ || face_ < vertex_)
+    if (vertex_ && !faces) refuse(name_, "has points but no faces, so that it casts no shadow");
+    if (!vertex_ || !faces || faces < vertex_)
       refuse(name_, "has no element 'vertex' followed by an element 'face'");
-    if (!has(*vertex_, "x") || !has(*vertex_, "y") || !has(*vertex_, "z"))
-      refuse(name_, "has vertices without x, y and z");
-    normals_ = has(*vertex_, "nx") && has(*vertex_, "ny") && has(*vertex_, "nz");
-    if (std::count_if(face_->properties.begin(), face_->properties.end(), isFaceList) != 1)
-      refuse(name_, "has faces without one list 'vertex_indices'");
     for (std::string_view name : vertexProperties)
-      if (std::count_if(vertex_->properties.begin(), vertex_->properties.end(),
-                        [&](const PlyProperty& p) { return p.name == name; }) > 1)
+      if (countOf(*vertex_, name) > 1)
         refuse(name_, "names the vertex property '" + std::string(name) + "' twice");
-    mesh_.vertices = vertex_->count;
-    mesh_.faces = face_->count;
-    mesh_.binary = header_.format != PlyFormat::Ascii;
+    for (std::string_view name : {"x", "y", "z"})
+      if (countOf(*vertex_, name) == 0) refuse(name_, "has vertices without x, y and z");
+    faces_ = faces->count;
+    hasNormals_ = countOf(*vertex_, "nx") + countOf(*vertex_, "ny") + countOf(*vertex_, "nz") == 3;
   }
 
-  bool keeps(const PlyProperty& property) const {
-    if (element_ == face_) return isFaceList(property);
-    if (element_ != vertex_ || property.count) return false;
-    const auto found = std::find(vertexProperties.begin(), vertexProperties.end(), property.name);
-    return found < vertexProperties.begin() + (normals_ ? 6 : 3);
-  }
-
-  void writeHeader() {
-    constexpr std::array<std::string_view, 3> formats{"ascii", "binary_little_endian",
-                                                      "binary_big_endian"};
-    std::string& out = mesh_.content;
-    ((out += "ply\nformat ") += formats[std::size_t(header_.format)]) += " 1.0\n";
-    for (const PlyElement* element : {vertex_, face_}) {
-      element_ = element;
-      out += "element " + element->name + " " + std::to_string(element->count) + "\n";
-      for (const PlyProperty& property : element->properties)
-        if (keeps(property))
-          out += "property " + (property.count ? "list " + property.count->name + " " : "") +
-                 property.type.name + " " + (property.count ? "vertex_indices" : property.name) +
-                 "\n";
+  void readElements() {
+    if (element_->properties.empty()) return;  // whatever its count, it takes no bytes
+    // Each has a byte at least, so that a promise that cannot be kept takes no memory.
+    if (element_ == vertex_)
+      mesh_.positions.reserve(std::min<std::uint64_t>(element_->count, values_.left()));
+    for (read_ = 0; read_ < element_->count; ++read_) {
+      property_ = &element_->properties.front();
+      try {
+        if (element_ == vertex_)
+          readVertex();
+        else
+          readLists(element_->name == "face", element_->name == "tristrips");
+      } catch (const PlyProblem& problem) {
+        if (problem.atEnd) truncated();
+        wrong(inLength_                 ? "list length"
+              : isIndexList(*property_) ? "vertex"
+                                        : property_->name,
+              problem.found);
+      }
     }
-    out += "end_header\n";
   }
 
   [[noreturn]] void truncated() const {
     refuse(name_, "is truncated: it promises " + std::to_string(vertex_->count) + " vertices and " +
-                      std::to_string(face_->count) + " faces, but ends after " +
-                      std::to_string(read_) + " of " + std::to_string(element_->count) + " '" +
-                      element_->name + "'");
+                      std::to_string(faces_) + " faces, but ends after " + std::to_string(read_) +
+                      " of " + std::to_string(element_->count) + " '" + clipped(element_->name) +
+                      "'");
   }
 
   [[noreturn]] void wrong(const std::string& what, std::string_view found) const {
-    refuse(name_, "has a " + element_->name + " (number " + std::to_string(read_) + ") whose " +
-                      what + " is '" + std::string(found.substr(0, 40)) + "'");
+    refuse(name_, "has a " + clipped(element_->name) + " (number " + std::to_string(read_) +
+                      ") whose " + clipped(what) + " is '" + clipped(found) + "'");
   }
 
-  void copyElement() {
-    bool finite = true;
-    const bool text = !mesh_.binary;
+  void readVertex() {
+    Eigen::Vector3d position, normal;
     for (const PlyProperty& property : element_->properties) {
-      std::uint64_t length = 1;
-      if (property.count) length = copyLength(property);
-      text ? copyWords(property, length, finite)
-           : copyBytes(length * property.type.bytes, property);
+      property_ = &property;
+      const auto known = std::find(vertexProperties.begin(), vertexProperties.end(), property.name);
+      const std::ptrdiff_t place = known - vertexProperties.begin();
+      if (property.count || place == 6)
+        values_.skip(property.type, property.count ? listLength() : 1);
+      else
+        (place < 3 ? position[place] : normal[place - 3]) = values_.real(property.type);
     }
-    if (text && (element_ == vertex_ || element_ == face_)) mesh_.content += '\n';
-    if (element_ == vertex_ && !finite) mesh_.nonFinite.push_back(std::uint32_t(read_));
+    mesh_.positions.push_back(position);
+    if (hasNormals_) mesh_.setNormal(std::uint32_t(read_), normal);
   }
 
-  std::uint64_t copyLength(const PlyProperty& property) {
-    std::int64_t length = 0;
-    if (mesh_.binary) {
-      length = binaryLength(*property.count);
-      copyBytes(std::uint64_t(property.count->bytes), property);
-    } else {
-      const std::string_view word = nextWord(rest_);
-      if (word.empty()) truncated();
-      length = wholeFrom(word).value_or(-1);
-      if (length < 0) wrong("list length", word);
-      if (keeps(property)) (mesh_.content += ' ') += word;
+  void readLists(bool isFace, bool isStrip) {
+    for (const PlyProperty& property : element_->properties) {
+      property_ = &property;
+      const std::uint64_t length = property.count ? listLength() : 1;
+      if (!isIndexList(property) || (!isFace && !isStrip))
+        values_.skip(property.type, length);
+      else if (isFace)
+        readFace(length);
+      else
+        readStrip(length);
     }
+  }
+
+  std::uint64_t listLength() {
+    inLength_ = true;
+    const std::int64_t length = values_.whole(*property_->count);
     if (length < 0) wrong("list length", std::to_string(length));
-    if (std::uint64_t(length) > rest_.size()) truncated();  // a byte an entry at least
-    if (element_ == face_ && isFaceList(property) && length < 3)
-      wrong("number of vertices", std::to_string(length));
+    inLength_ = false;
+    if (std::uint64_t(length) > values_.left()) truncated();  // a byte an entry at least
     return std::uint64_t(length);
   }
 
-  std::int64_t binaryLength(const PlyType& type) const {
-    if (rest_.size() < std::size_t(type.bytes)) truncated();
-    std::uint64_t value = 0;
-    for (int i = 0; i < type.bytes; ++i) {
-      const int shift = header_.format == PlyFormat::BigEndian ? type.bytes - 1 - i : i;
-      value |= std::uint64_t(static_cast<unsigned char>(rest_[std::size_t(i)])) << (8 * shift);
-    }
-    const std::uint64_t sign = std::uint64_t(1) << (8 * type.bytes - 1);
-    return type.isSigned && (value & sign) ? -1 : std::int64_t(value);
+  std::uint32_t checkedIndex(std::int64_t index) const {
+    if (index < 0 || index >= std::int64_t(mesh_.positions.size()))
+      refuse(name_, "has a " + element_->name + " (number " + std::to_string(read_) +
+                        ") that refers to vertex " + std::to_string(index) + "; the file has " +
+                        std::to_string(mesh_.positions.size()) + ", counted from 0");
+    return std::uint32_t(index);
   }
 
-  void copyBytes(std::uint64_t bytes, const PlyProperty& property) {
-    if (rest_.size() < bytes) truncated();
-    if (keeps(property)) mesh_.content += rest_.substr(0, bytes);
-    rest_.remove_prefix(bytes);
+  void readFace(std::uint64_t length) {
+    for (std::uint64_t i = 0; i < length; ++i)
+      mesh_.corners.push_back(checkedIndex(values_.whole(property_->type)));
+    mesh_.endFace();
   }
 
-  void copyWords(const PlyProperty& property, std::uint64_t count, bool& finite) {
-    for (std::uint64_t i = 0; i < count; ++i) {
-      const std::string_view word = nextWord(rest_);
-      if (word.empty()) truncated();
-      if (!keeps(property)) continue;
-      if (property.count) {
-        if (!wholeFrom(word)) wrong("vertex", word);
-        (mesh_.content += ' ') += word;
+  // Each vertex from the third on makes a triangle with the two before it, every other one turned
+  // round; −1 begins a new strip.
+  void readStrip(std::uint64_t length) {
+    std::array<std::uint32_t, 2> before{};
+    std::uint64_t inStrip = 0;
+    for (std::uint64_t i = 0; i < length; ++i) {
+      const std::int64_t index = values_.whole(property_->type);
+      if (index == -1) {
+        inStrip = 0;
         continue;
       }
-      const std::optional<float> value = realFrom(word);
-      if (!value) wrong(property.name, word);
-      const bool isFinite = *value - *value == 0.0f;
-      // A normal that is not a number counts as none; the vertex stays.
-      if (!isFinite && property.name.size() == 1) finite = false;
-      (mesh_.content += ' ') += isFinite && *value != 0.0f ? word : std::string_view("0");
+      const std::uint32_t vertex = checkedIndex(index);
+      if (inStrip >= 2) {
+        const bool turned = inStrip % 2 == 1;
+        mesh_.corners.insert(mesh_.corners.end(), {before[turned], before[!turned], vertex});
+        mesh_.endFace();
+      }
+      before = {before[1], vertex};
+      ++inStrip;
     }
   }
 
-  std::string_view rest_;
+  // A line that was passed over may have laid out values: then the body does not end where it
+  // should.
+  void checkUnknownLines() {
+    if (header_.unknownLines == 0) return;
+    if (values_.hasMore())
+      refuse(name_, "has a line in its header that cannot be read, '" + header_.firstUnknown +
+                        "', and values that the other lines do not describe");
+    mesh_.notes.push_back(
+        "lines of the header that begin with no word of the format were passed "
+        "over: " +
+        std::to_string(header_.unknownLines) + ", the first is '" + header_.firstUnknown + "'");
+  }
+
   const std::string& name_;
   PlyHeader header_;
-  const PlyElement *vertex_ = nullptr, *face_ = nullptr, *element_ = nullptr;
-  std::uint64_t read_ = 0;  // elements of the kind `element_` so far
-  bool normals_ = false;
-  CheckedMesh mesh_;
+  PlyValues values_;
+  const PlyElement *vertex_ = nullptr, *last_ = nullptr, *element_ = nullptr;
+  const PlyProperty* property_ = nullptr;
+  std::uint64_t faces_ = 0, read_ = 0;  // elements of the kind `element_` so far
+  bool hasNormals_ = false, inLength_ = false;
+  PolygonMesh mesh_;
 };
 
 }  // namespace
 
-CheckedMesh checkPly(const std::string& content, const std::string& name) {
-  return PlyCheck(content, name).run();
+PolygonMesh readPly(std::string_view content, const std::string& name) {
+  std::string converted;
+  return PlyReader(plainText(content, converted), name).run();
 }
 
-}  // namespace umbra
+}  // namespace umbra::meshfile

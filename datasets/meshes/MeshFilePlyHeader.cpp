@@ -1,8 +1,10 @@
 #include "datasets/meshes/MeshFilePlyHeader.h"
 
+#include <algorithm>
 #include <array>
 
 #include "datasets/meshes/MeshFileText.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra::meshfile {
 namespace {
@@ -50,7 +52,7 @@ std::optional<PlyProperty> propertyFrom(std::string_view line) {
   std::string_view word = nextWord(line);
   if (word == "list") {
     property.count = typeFrom(nextWord(line));
-    if (!property.count || property.count->real) return std::nullopt;
+    if (!property.count) return std::nullopt;
     word = nextWord(line);
   }
   const std::optional<PlyType> type = typeFrom(word);
@@ -65,32 +67,41 @@ std::optional<PlyProperty> propertyFrom(std::string_view line) {
 PlyHeader readPlyHeader(std::string_view& rest, const std::string& file) {
   PlyHeader header;
   std::optional<PlyFormat> format;
-  if (nextLine(rest) != "ply") refuse(file, "is no PLY file; those begin with 'ply'");
-  for (std::size_t number = 2;; ++number) {
-    std::optional<std::string_view> line = nextLine(rest);
+  TextLines lines(rest);
+  std::optional<std::string_view> line = lines.next();
+  if (!line || lowered(trimmed(*line)) != "ply")
+    refuse(file, "is no PLY file; those begin with 'ply'");
+  const bool endsInCrLf = rest.substr(std::size_t(line->end() - rest.begin())).starts_with("\r\n");
+  while (true) {
+    line = lines.next();
     if (!line) refuse(file, "ends before 'end_header'");
-    const std::string whole(*line);
-    const std::string_view key = nextWord(*line);
+    std::string_view words = *line;
+    const std::string_view key = nextWord(words);
     bool right = true;
     if (key == "end_header") {
       break;
     } else if (key == "format") {
-      right = (format = formatFrom(nextWord(*line))).has_value();
+      right = (format = formatFrom(nextWord(words))).has_value();
     } else if (key == "element") {
-      const std::optional<PlyElement> element = elementFrom(*line);
+      const std::optional<PlyElement> element = elementFrom(words);
       if ((right = element.has_value())) header.elements.push_back(*element);
     } else if (key == "property") {
-      const std::optional<PlyProperty> property = propertyFrom(*line);
+      const std::optional<PlyProperty> property = propertyFrom(words);
       right = property && !header.elements.empty();
       if (right) header.elements.back().properties.push_back(*property);
-    } else {
-      right = key == "comment" || key == "obj_info" || key.empty();
+    } else if (key != "comment" && key != "obj_info" && !key.empty()) {
+      if (header.unknownLines++ == 0) header.firstUnknown = clipped(*line);
     }
     if (!right)
-      refuseLine(file, number, "'" + whole.substr(0, 60) + "' is not right in a PLY header");
+      refuseLine(file, lines.number(), "'" + clipped(*line) + "' is not right in a PLY header");
   }
   if (!format) refuse(file, "says no format; a PLY header has 'format ascii 1.0' or binary");
   header.format = *format;
+  // Bytes follow the header at once. One that is a line feed belongs to it only if its lines end in
+  // CR and LF.
+  std::size_t end = std::size_t(line->end() - rest.begin()) + 1;
+  if (endsInCrLf && rest.substr(end - 1).starts_with("\r\n")) ++end;
+  rest.remove_prefix(std::min(end, rest.size()));
   return header;
 }
 

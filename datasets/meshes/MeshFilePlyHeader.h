@@ -32,6 +32,10 @@ struct PlyElement {
 struct PlyHeader {
   PlyFormat format = PlyFormat::Ascii;
   std::vector<PlyElement> elements;
+  // Lines that begin with no word of the format, and the first of them. Old exporters forgot to
+  // write "comment".
+  std::size_t unknownLines = 0;
+  std::string firstUnknown;
 };
 
 // Removes the header from `rest` and returns it. Throws BadInput that names file and line.

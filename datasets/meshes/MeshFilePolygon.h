@@ -1,4 +1,4 @@
-// Polygons as triangles.
+// Cuts a polygon of a mesh file into triangles.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,10 +9,20 @@
 
 namespace umbra::meshfile {
 
-// Triangulates a polygon of at least three finite corners, in order around it. The result has two
-// triangles fewer than there are corners, of indices into `corners`, with the same sense of
-// turning. Convex polygons become a fan; of others one ear after another is cut off. A polygon that
-// crosses itself gives some triangles.
-std::vector<std::array<std::uint32_t, 3>> triangulated(std::span<const Eigen::Vector3d> corners);
+struct Triangulated {
+  // Each triangle's corners, as indices of the polygon's, in the polygon's sense of turning. Where
+  // the polygon is simple, the triangles cover it and nothing else; ones without area are left out.
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  // Whether the polygon crosses itself, so that no set of triangles is right, or has so many
+  // corners that none was found in time.
+  bool crossesItself = false;
+};
+
+// Ear clipping (Meisters 1975) with the care for polygons that touch themselves that Held's FIST
+// takes (2001): a bridge to a hole runs to and fro along the same edge, a corner may stand several
+// times. A corner is cut off where no edge of what is left meets the inside of its triangle; a
+// corner without an area is dropped. The corners may be a little off one plane: they are seen along
+// the axis to which the polygon is most perpendicular.
+Triangulated triangulated(std::span<const Eigen::Vector3d> corners);
 
 }  // namespace umbra::meshfile

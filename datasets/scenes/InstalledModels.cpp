@@ -80,28 +80,24 @@ Eigen::Vector3d lifted(const Eigen::Vector3d& colour) {
   return colour.array().pow(0.65).matrix();
 }
 
-// One mesh for each material, in the order of first use, so that each keeps its own colour.
-std::vector<SceneObject> objectsOf(const meshfile::RawMesh& raw,
-                                   const std::map<std::string, Material>& materials) {
-  std::vector<SceneObject> objects;
-  for (std::size_t m = 0; m < raw.materials.size(); ++m) {
-    meshfile::RawMesh part;
-    part.positions = raw.positions;
-    part.normals = raw.normals;
-    for (std::size_t t = 0; t < raw.triangles.size(); ++t)
-      if (raw.triangleMaterials[t] == m) part.triangles.push_back(raw.triangles[t]);
-    if (part.triangles.empty()) continue;
-    SceneObject object;
-    object.name = raw.materials[m];
-    object.mesh = meshfile::withItsNormals(part);
-    const auto material = materials.find(raw.materials[m]);
-    if (material != materials.end()) {
-      object.material = material->second;
-      object.material.colour = lifted(material->second.colour);
-    }
-    objects.push_back(std::move(object));
+// One part for each material, in the order of first use, so that each keeps its own colour.
+std::vector<ModelPart> partsOf(const meshfile::RawMesh& raw,
+                               const std::map<std::string, Material>& materials) {
+  std::vector<ModelPart> parts;
+  std::map<std::string, std::size_t> known;
+  for (std::size_t t = 0; t < raw.triangles.size(); ++t) {
+    const std::string& name = raw.parts[raw.triangleParts[t]].material;
+    const auto [found, isNew] = known.try_emplace(name, parts.size());
+    if (isNew) parts.push_back({name, {}, {}});
+    parts[found->second].triangles.push_back(raw.triangles[t]);
   }
-  return objects;
+  for (ModelPart& part : parts) {
+    const auto material = materials.find(part.name);
+    if (material == materials.end()) continue;
+    part.material = material->second;
+    part.material.colour = lifted(material->second.colour);
+  }
+  return parts;
 }
 
 }  // namespace
@@ -139,7 +135,7 @@ Scene makeInstalledModel(const std::string& name, const fs::path& folder) {
   const std::vector<std::string> contents = readArchive(archive, {base + ".obj", base + ".mtl"});
   const meshfile::RawMesh raw =
       meshfile::readMesh(contents[0], ".obj", archive.string() + "/" + base + ".obj");
-  Scene scene = stagedScene(objectsOf(raw, materialsFrom(contents[1])), model->stage);
+  Scene scene = stagedScene(raw, partsOf(raw, materialsFrom(contents[1])), model->stage);
   scene.name = model->name;
   scene.title = model->title;
   scene.description = model->description;

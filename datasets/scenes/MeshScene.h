@@ -8,8 +8,11 @@
 
 namespace umbra {
 
-// Centres the mesh, scales it to a height or width of about 4, sets it on the ground, and fits
-// light and camera. Throws BadInput as readMeshFile does.
-Scene sceneFromMeshFile(const std::filesystem::path& file, MeshReport* report = nullptr);
+// Centres the mesh, scales its longest side to 4, sets it on the ground, and fits light and camera.
+// What the file names (objects and groups, materials, solids, nodes) becomes an object each; a file
+// that names nothing, or too many things to be told apart, becomes one of the file's name. Throws
+// BadInput as readMeshFile does.
+Scene sceneFromMeshFile(const std::filesystem::path& file, UpAxis up = UpAxis::Y,
+                        MeshReport* report = nullptr);
 
 }  // namespace umbra

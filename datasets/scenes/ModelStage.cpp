@@ -16,25 +16,39 @@ Vector3d towards(double right, double up) {
   return {std::sin(a) * std::cos(b), std::sin(b), std::cos(a) * std::cos(b)};
 }
 
-Eigen::AlignedBox3d boundsOf(const std::vector<SceneObject>& objects) {
+Eigen::AlignedBox3d boundsOf(const meshfile::RawMesh& raw, const std::vector<ModelPart>& parts,
+                             const Eigen::Affine3d& turned) {
   Eigen::AlignedBox3d box;
-  for (const SceneObject& object : objects) box.extend(object.mesh.bounds());
+  for (const ModelPart& part : parts)
+    for (const meshfile::Triangle& t : part.triangles)
+      for (std::uint32_t v : t) box.extend(turned * raw.positions[v]);
   return box;
+}
+
+// Turns +z to +y, and +y to −z.
+Eigen::Affine3d raised() {
+  Eigen::Affine3d turn = Eigen::Affine3d::Identity();
+  turn.linear() << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+  return turn;
 }
 
 }  // namespace
 
-Scene stagedScene(std::vector<SceneObject> objects, const ModelStage& stage) {
-  for (SceneObject& object : objects)
-    object.mesh = scenes::transformed(object.mesh, scenes::turned(stage.turn));
-  const Eigen::AlignedBox3d box = boundsOf(objects);
+Scene stagedScene(const meshfile::RawMesh& raw, const std::vector<ModelPart>& parts,
+                  const ModelStage& stage) {
+  Eigen::Affine3d turned = scenes::turned(stage.turn);
+  if (stage.zIsUp) turned = turned * raised();
+  const Eigen::AlignedBox3d box = boundsOf(raw, parts, turned);
   const double longest = box.sizes().maxCoeff(), scale = longest > 0.0 ? stage.size / longest : 1.0;
   const Vector3d foot(box.center().x(), box.min().y(), box.center().z());
+  const Eigen::Affine3d placement =
+      Eigen::Affine3d(Eigen::Scaling(scale)) * Eigen::Translation3d(-foot) * turned;
   Scene scene;
-  for (SceneObject& object : objects) {
-    // The scale is a double: the file's unit may be anything that a float holds.
-    for (Eigen::Vector3f& p : object.mesh.positions)
-      p = (scale * (p.cast<double>() - foot)).cast<float>();
+  for (const ModelPart& part : parts) {
+    SceneObject object;
+    object.name = part.name;
+    object.material = part.material;
+    object.mesh = meshfile::placedMesh(raw, part.triangles, placement);
     scene.objects.push_back(std::move(object));
   }
 

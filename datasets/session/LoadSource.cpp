@@ -11,12 +11,9 @@ namespace {
 Scene readScene(const SceneSource& source, std::vector<std::string>& notices) {
   if (source.kind == SourceKind::Catalogue) return makeScene(source.name, source.parameters);
   MeshReport report;
-  Scene scene = sceneFromMeshFile(source.name, &report);
-  const std::size_t flat = report.degenerateFaces, wild = report.nonFiniteFaces;
-  if (flat + wild > 0)
-    notices.push_back(source.name + ": faces left out: " + std::to_string(flat) +
-                      " without area, " + std::to_string(wild) +
-                      " with coordinates that are not finite");
+  Scene scene = sceneFromMeshFile(source.name, source.up, &report);
+  if (const std::string doubts = report.summary(); !doubts.empty())
+    notices.push_back(source.name + ": " + doubts);
   return scene;
 }
 

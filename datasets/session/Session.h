@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "datasets/meshes/MeshFile.h"
 #include "datasets/session/NamedProbe.h"
 #include "filters/core/scene/Light.h"
 #include "filters/core/scene/Scene.h"
@@ -28,6 +29,7 @@ struct SceneSource {
   std::string name = "tree-bench";           // of the catalogue, or a path
   std::string channel;                       // DepthFile: "" is Z, else the only one
   double depthNear = 0.0, depthFar = 1.0;    // DepthFile: the values that become 0 and 1
+  UpAxis up = UpAxis::Y;                     // MeshFile: which of the file's axes is the world's y
   std::map<std::string, double> parameters;  // Catalogue: what the scene lets one adjust
 
   bool operator==(const SceneSource&) const = default;

@@ -20,8 +20,11 @@ namespace {
 
 Json sourceJson(const SceneSource& source) {
   switch (source.kind) {
-    case SourceKind::MeshFile:
-      return {{"mesh", source.name}};
+    case SourceKind::MeshFile: {
+      Json json{{"mesh", source.name}};
+      if (source.up != UpAxis::Y) json["up"] = nameOf(source.up);
+      return json;
+    }
     case SourceKind::DepthFile: {
       Json json{{"depth", source.name}};
       if (!source.channel.empty()) json["channel"] = source.channel;
@@ -68,6 +71,9 @@ void readSource(JsonObject& object, SceneSource& source) {
   } else if (!mesh.empty()) {
     source.kind = SourceKind::MeshFile;
     source.name = mesh;
+    object.readName("up", [&](const std::string& name, const std::string& where) {
+      source.up = upAxisFrom(name, where);
+    });
   } else {
     source.kind = SourceKind::DepthFile;
     source.name = depth;

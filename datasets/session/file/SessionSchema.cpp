@@ -137,7 +137,7 @@ Json sourceSchema() {
            {closed({{"scene", text},
                     {"parameters", {{"type", "object"}, {"additionalProperties", anyNumber}}}},
                    {"scene"}),
-            closed({{"mesh", text}}, {"mesh"}),
+            closed({{"mesh", text}, {"up", {{"enum", {"y", "z"}}}}}, {"mesh"}),
             closed({{"depth", text}, {"channel", text}, {"range", list(anyNumber, 2, 2)}},
                    {"depth"})}}};
 }
