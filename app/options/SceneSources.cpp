@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/options/OptionValues.h"
+#include "datasets/meshes/MeshFileReader.h"
 #include "datasets/scenes/SceneCatalogue.h"
 #include "datasets/session/LoadSource.h"
 #include "filters/core/support/Error.h"
@@ -18,17 +19,6 @@ namespace umbra {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string lowerCase(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
-  return text;
-}
-
-bool isMeshName(const std::string& name) {
-  const std::string extension = lowerCase(fs::path(name).extension().string());
-  return extension == ".obj" || extension == ".ply" || extension == ".off" || extension == ".stl";
-}
 
 std::string nearestScene(const std::string& name) {
   std::vector<std::string> names;
@@ -46,14 +36,13 @@ SceneSource sceneSourceFrom(const std::string& name, std::string_view where) {
   if (std::any_of(scenes.begin(), scenes.end(), [&](const auto& s) { return s.name == name; }))
     return source;
   source.kind = SourceKind::MeshFile;
-  if (isMeshName(name)) {
+  if (meshfile::isMeshName(name)) {
     checkInput(name);
     return source;
   }
   throw Error(ErrorKind::BadCommandLine,
-              std::string(where) + ": '" + name +
-                  "' is neither a scene nor a mesh file (.obj .ply .off .stl); " +
-                  nearestScene(name));
+              std::string(where) + ": '" + name + "' is neither a scene nor a mesh file (" +
+                  meshfile::meshExtensions() + "); " + nearestScene(name));
 }
 
 void adjustScene(SceneSource& source, const std::string& setting) {

@@ -6,6 +6,7 @@
 
 #include "app/options/OptionValues.h"
 #include "datasets/maps/DepthFile.h"
+#include "datasets/meshes/MeshFileReader.h"
 #include "datasets/session/PaneChoice.h"
 #include "datasets/session/SessionSettings.h"
 #include "datasets/session/file/SessionFile.h"
@@ -48,7 +49,8 @@ void SessionOptions::addTo(OptionParser& command) {
 void SessionOptions::addInput(OptionParser& command) {
   const char* group = "Input";
   command.add("--scene", scene_,
-              {group, "NAME|FILE", "Scene of the catalogue, or mesh file (.obj .ply .off .stl)"});
+              {group, "NAME|FILE",
+               "Scene of the catalogue, or mesh file (" + meshfile::meshExtensions() + ")"});
   command.addRepeatable("--scene-set", sceneSettings_,
                         {group, "PARAMETER=VALUE", "Adjust the scene, see `scenes`; repeatable"});
   command.add("--up", up_, {group, "y|z", "Which axis of the mesh file points up (default y)"});

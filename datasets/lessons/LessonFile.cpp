@@ -8,7 +8,7 @@
 
 #include "datasets/lessons/LessonNumbers.h"
 #include "datasets/session/file/JsonObject.h"
-#include "datasets/session/file/JsonText.h"
+#include "datasets/json/JsonText.h"
 #include "datasets/session/file/SessionFile.h"
 #include "filters/core/support/Error.h"
 #include "filters/core/support/Text.h"

@@ -33,7 +33,9 @@ std::vector<Sample> samples() {
           {"plyBigEnd", ".ply", cubePlyBinary(true)},
           {"off", ".off", cubeOff()},
           {"stlText", ".stl", cubeStlText()},
-          {"stlBinary", ".stl", cubeStlBinary()}};
+          {"stlBinary", ".stl", cubeStlBinary()},
+          {"gltf", ".gltf", cubeGltfText()},
+          {"glb", ".glb", cubeGlb()}};
 }
 
 std::size_t below(Random& random, std::size_t limit) {

@@ -17,14 +17,18 @@ struct Format {
   PolygonMesh (*read)(std::string_view content, const std::string& name);
 };
 
-constexpr std::array<Format, 4> formats{
-    {{".obj", readObj}, {".ply", readPly}, {".off", readOff}, {".stl", readStl}}};
+constexpr std::array<Format, 6> formats{{{".obj", readObj},
+                                         {".ply", readPly},
+                                         {".off", readOff},
+                                         {".stl", readStl},
+                                         {".glb", readGltf},
+                                         {".gltf", readGltf}}};
 
 PolygonMesh polygonsOf(std::string_view content, const std::string& extension,
                        const std::string& name) {
   for (const Format& format : formats)
     if (extension == format.extension) return format.read(content, name);
-  refuse(name, "is no mesh file; those end in .obj, .ply, .off or .stl");
+  refuse(name, "is no mesh file; those end in " + meshExtensions());
 }
 
 // Whether the three positions span an area that single precision can distinguish from none.
@@ -83,6 +87,18 @@ class Triangulation {
 };
 
 }  // namespace
+
+std::string meshExtensions() {
+  std::string all;
+  for (const Format& format : formats) (all += all.empty() ? "" : " ") += format.extension;
+  return all;
+}
+
+bool isMeshName(const std::filesystem::path& file) {
+  const std::string extension = lowered(file.extension().string());
+  return std::any_of(formats.begin(), formats.end(),
+                     [&](const Format& format) { return extension == format.extension; });
+}
 
 RawMesh readMesh(std::string_view content, const std::string& extension, const std::string& name) {
   PolygonMesh polygons = polygonsOf(content, extension, name);

@@ -27,6 +27,11 @@ struct RawMesh {
   MeshReport report;
 };
 
+// The extensions of files that are read, as a person reads them: ".obj .ply .off .stl".
+std::string meshExtensions();
+// Whether a name ends in one of them, in any case.
+bool isMeshName(const std::filesystem::path& file);
+
 // `extension` (".obj") says which format `content` has; messages call the file `name`. Throws
 // BadInput.
 RawMesh readMesh(std::string_view content, const std::string& extension, const std::string& name);

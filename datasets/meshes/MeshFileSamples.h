@@ -108,4 +108,61 @@ inline std::string cubeStlBinary() {
   return out;
 }
 
+inline std::string cubeBuffer() {
+  std::string out;
+  for (int i = 0; i < 8; ++i)
+    for (float x : corner(i)) appendBytes(out, x);
+  for (const auto& q : quads)
+    for (int v : {q[0], q[1], q[2], q[0], q[2], q[3]}) appendBytes(out, std::uint16_t(v));
+  return out;
+}
+
+inline std::string base64(const std::string& bytes) {
+  const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    unsigned group = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k)
+      out += i + k > bytes.size() ? '=' : letters[group >> (18 - 6 * k) & 63];
+  }
+  return out;
+}
+
+// `buffer` is what the one buffer says beside its length; `node` what the one node says beside its
+// mesh, and `more` further members of the file.
+inline std::string cubeGltf(const std::string& buffer, const std::string& node = "",
+                            const std::string& more = "") {
+  return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+"nodes": [{"mesh": 0)" +
+         node + R"(}],
+"meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+"accessors": [
+{"bufferView": 0, "componentType": 5126, "count": 8, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 1]},
+{"bufferView": 1, "componentType": 5123, "count": 36, "type": "SCALAR"}],
+"bufferViews": [{"buffer": 0, "byteLength": 96}, {"buffer": 0, "byteOffset": 96, "byteLength": 72}],
+"buffers": [{"byteLength": 168)" +
+         buffer + "}]" + more + "}\n";
+}
+
+inline std::string cubeGltfText(const std::string& node = "", const std::string& more = "") {
+  return cubeGltf(
+      ", \"uri\": \"data:application/octet-stream;base64," + base64(cubeBuffer()) + "\"", node,
+      more);
+}
+
+inline std::string cubeGlb() {
+  std::string json = cubeGltf("");
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  const std::string buffer = cubeBuffer();
+  std::string out = "glTF";
+  appendBytes(out, 2u);
+  appendBytes(out, std::uint32_t(28 + json.size() + buffer.size()));
+  appendBytes(out, std::uint32_t(json.size()));
+  out += "JSON" + json;
+  appendBytes(out, std::uint32_t(buffer.size()));
+  return out + std::string("BIN\0", 4) + buffer;
+}
+
 }  // namespace umbra::meshsamples

@@ -67,9 +67,9 @@ double volume(const Mesh& mesh) {
 
 TEST_F(MeshFile, ReadsTheSameCubeFromEveryFormat) {
   const std::pair<std::string, std::string> files[] = {
-      {"a.obj", cubeObj()},           {"a.ply", cubePlyText()}, {"b.ply", cubePlyBinary()},
-      {"c.PLY", cubePlyBinary(true)}, {"a.off", cubeOff()},     {"a.stl", cubeStlText()},
-      {"b.STL", cubeStlBinary()}};
+      {"a.obj", cubeObj()},           {"a.ply", cubePlyText()},   {"b.ply", cubePlyBinary()},
+      {"c.PLY", cubePlyBinary(true)}, {"a.off", cubeOff()},       {"a.stl", cubeStlText()},
+      {"b.STL", cubeStlBinary()},     {"a.gltf", cubeGltfText()}, {"a.glb", cubeGlb()}};
   for (const auto& [name, content] : files) {
     const Mesh mesh = read(name, content);
     SCOPED_TRACE(name);
@@ -205,7 +205,7 @@ TEST_F(MeshFile, NamesTheFaceThatRefersToAMissingVertex) {
 }
 
 TEST_F(MeshFile, RefusesWhatIsNoMesh) {
-  EXPECT_SAYS(refusal("a.fbx", cubeObj()), ".obj, .ply, .off or .stl");
+  EXPECT_SAYS(refusal("a.fbx", cubeObj()), ".obj .ply .off .stl .glb .gltf");
   for (const std::string name : {"a.obj", "a.ply", "a.off", "a.stl"}) {
     refusal(name, "");
     refusal(name, "This is a letter to my aunt.\n");

@@ -84,5 +84,6 @@ PolygonMesh readObj(std::string_view content, const std::string& name);
 PolygonMesh readPly(std::string_view content, const std::string& name);
 PolygonMesh readOff(std::string_view content, const std::string& name);
 PolygonMesh readStl(std::string_view content, const std::string& name);
+PolygonMesh readGltf(std::string_view content, const std::string& name);
 
 }  // namespace umbra::meshfile

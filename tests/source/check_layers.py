@@ -24,7 +24,7 @@ MAY_INCLUDE = {
 ROOMS = {
     "filters/core": ["support", "scene", "settings", "maps", "technique", "prefilter", "frame"],
     "analysis": ["probe", "frame", "errors", "rays", "surfaces", "plots"],
-    "datasets": ["meshes", "maps", "scenes", "session", "session/file", "lessons"],
+    "datasets": ["json", "meshes", "maps", "scenes", "session", "session/file", "lessons"],
     "ui": ["plots", "widgets/base", "widgets/forms", "widgets/maps", "widgets/plots", "widgets/tables",
            "session", "picture", "probe", "panes", "errors", "layers", "lessons", "window/files",
            "window/docks", "window/menus", "window"],

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "datasets/session/file/JsonText.h"
+#include "datasets/json/JsonText.h"
 #include "filters/core/support/Error.h"
 #include "filters/core/support/Text.h"
 

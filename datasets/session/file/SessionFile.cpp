@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "datasets/session/file/JsonObject.h"
-#include "datasets/session/file/JsonText.h"
+#include "datasets/json/JsonText.h"
 #include "datasets/session/file/SessionFileCompare.h"
 #include "datasets/session/file/SessionFileParameters.h"
 #include "datasets/session/file/SessionFileProbes.h"

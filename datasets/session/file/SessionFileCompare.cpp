@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "datasets/session/file/JsonText.h"
+#include "datasets/json/JsonText.h"
 #include "datasets/session/file/SessionFileParameters.h"
 #include "datasets/session/file/SessionFileSettings.h"
 #include "filters/core/support/Error.h"

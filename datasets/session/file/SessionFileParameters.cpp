@@ -1,5 +1,5 @@
 #include "datasets/session/file/SessionFileParameters.h"
-#include "datasets/session/file/JsonText.h"
+#include "datasets/json/JsonText.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "datasets/session/file/JsonText.h"
+#include "datasets/json/JsonText.h"
 #include "datasets/session/file/SessionFileSettings.h"
 #include "filters/core/support/Error.h"
 #include "filters/core/support/Text.h"

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "datasets/session/file/JsonText.h"
+#include "datasets/json/JsonText.h"
 #include "filters/core/settings/SettingRow.h"
 #include "filters/core/support/Text.h"
 

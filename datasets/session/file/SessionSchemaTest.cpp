@@ -6,7 +6,7 @@
 
 #include "datasets/lessons/LessonCatalogue.h"
 #include "datasets/session/SessionSettings.h"
-#include "datasets/session/file/JsonText.h"
+#include "datasets/json/JsonText.h"
 #include "datasets/session/file/SchemaCheck.h"
 #include "datasets/session/file/SessionFileCheck.h"
 #include "filters/core/support/Text.h"

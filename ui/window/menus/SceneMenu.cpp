@@ -1,5 +1,6 @@
 #include "ui/window/menus/SceneMenu.h"
 
+#include "datasets/meshes/MeshFileReader.h"
 #include "datasets/scenes/SceneCatalogue.h"
 #include "ui/session/SessionController.h"
 #include "ui/widgets/base/Style.h"
@@ -7,7 +8,9 @@
 
 namespace umbra {
 
-const char* const SceneMenu::meshFilter = "*.obj *.ply *.off *.stl";
+QString SceneMenu::meshFilter() {
+  return "*" + QString::fromStdString(meshfile::meshExtensions()).replace(" ", " *");
+}
 
 SceneMenu::SceneMenu(SessionController& controller, FileActions& files, QWidget* parent)
     : QMenu(tr("&Scene"), parent) {
@@ -25,7 +28,7 @@ SceneMenu::SceneMenu(SessionController& controller, FileActions& files, QWidget*
   }
   addSeparator();
   addAction(tr("Open mesh …"), this,
-            [&files] { files.askToOpen(tr("Open mesh"), tr("Meshes (%1)").arg(meshFilter)); });
+            [&files] { files.askToOpen(tr("Open mesh"), tr("Meshes (%1)").arg(meshFilter())); });
   addAction(tr("Open depth map …"), this,
             [&files] { files.askToOpen(tr("Open depth map"), tr("OpenEXR depth map (*.exr)")); });
   addAction(tr("Open session …"), this,

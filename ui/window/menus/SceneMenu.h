@@ -14,8 +14,8 @@ class SceneMenu : public QMenu {
  public:
   SceneMenu(SessionController& controller, FileActions& files, QWidget* parent = nullptr);
 
-  // The mesh files that can be read, as a file dialog's pattern.
-  static const char* const meshFilter;
+  // Patterns of the mesh files that can be opened: "*.obj *.ply".
+  static QString meshFilter();
 };
 
 }  // namespace umbra

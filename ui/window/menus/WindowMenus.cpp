@@ -46,7 +46,7 @@ void WindowMenus::addFileMenu() {
   menu->addMenu(scene_);
   addAction(*menu, tr("&Open …"), QKeySequence::Open, [this] {
     subjects_.files.askToOpen(
-        tr("Open"), tr("All that can be opened (%1 *.exr *.json)").arg(SceneMenu::meshFilter));
+        tr("Open"), tr("All that can be opened (%1 *.exr *.json)").arg(SceneMenu::meshFilter()));
   });
   addAction(*menu, tr("&Save session …"), QKeySequence::Save,
             [this] { subjects_.files.askToSaveSession(); });

@@ -1,4 +1,4 @@
-#include "datasets/session/file/JsonText.h"
+#include "datasets/json/JsonText.h"
 
 #include <nlohmann/json.hpp>
 #include <set>
