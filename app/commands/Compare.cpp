@@ -40,8 +40,11 @@ struct CompareCommand {
 
 CompareCommand::CompareCommand(OptionParser& command) {
   const std::string group = "Compare";
-  command.add("--receiver", receiver,
-              {group, "Z", "Of a depth map: a receiver plane at this depth, 0 to 1"});
+  command.add(
+      "--receiver", receiver,
+      {group, "Z",
+       "Of a depth map: a receiver plane at this linear depth, 0 to 1, or a distance such as 6w, "
+       "or a value of the file such as 0.97f"});
   command.add("-o,--output", folder,
               {group, "DIR",
                "Write compare.json, compare.csv and, of a scene, each technique's error picture; "
@@ -117,8 +120,7 @@ void CompareCommand::run() const {
 
 void CompareCommand::compareMap(Workspace workspace) const {
   Session& session = workspace.shared;
-  if (receiver) session.receiver = numberFrom(*receiver, "--receiver", {0.0, 1.0});
-  if (!session.receiver)
+  if (!receiver && !session.receiver)
     throw Error(ErrorKind::BadCommandLine, "--receiver: is missing, give --receiver Z");
   if (rayTraced())
     throw Error(
@@ -132,7 +134,14 @@ void CompareCommand::compareMap(Workspace workspace) const {
                 "--surfaces: a depth map has none; give --scene NAME or a mesh file");
   if (!options.namesFormat() && !options.namesSession()) chooseFormatFor(session);
   const std::vector<Drawing> chosen = drawings(workspace);
-  const DepthMap map = loadDepthMap(session.source);
+  const DepthFile file = loadedDepth(session.source);
+  const DepthMap& map = file.map;
+  if (receiver && receiver->ends_with('f') && file.scale.dependsOnTexel())
+    throw Error(
+        ErrorKind::BadCommandLine,
+        "--receiver: a value of the file is another distance to the light at each texel; give "
+        "a linear depth from 0 to 1 or a distance such as 6w");
+  if (receiver) session.receiver = receiverFrom(*receiver, "--receiver", file, 0, 0);
   std::vector<MetricsRow> rows;
   // Drawings with the same settings are measured together, in one walk over the map.
   for (std::size_t first = 0; first < chosen.size();) {

@@ -79,7 +79,7 @@ void EncodeCommand::run() const {
 void EncodeCommand::encodeDepthMap(Session session, ChannelFile& file) const {
   session.frame = readSettingsOf(session);
   const auto chosen = techniques(session);
-  const DepthMap map = loadDepthMap(session.source);
+  const DepthMap map = loadedDepth(session.source).map;
   const StorageFormat format = session.frame.map.format;
   file.addDepth(map);
   for (const auto& technique : chosen) {

@@ -52,12 +52,13 @@ struct ProbeCommand {
     std::optional<double> truth;                 // by rays, where errors are against it
     std::shared_ptr<const FrameSnapshot> frame;  // whose maps the request refers to, of a scene
     std::vector<PaneProbe> panes{};              // of a session that compares
+    const DepthFile* file = nullptr;             // whose map was probed, of a depth file
   };
   static TakenProbe justTheProbe(Taken taken) {
     return {std::move(taken.probe), std::move(taken.json)};
   }
   static void addPanes(Taken& taken, std::vector<PaneProbe> panes);
-  Taken takeTexel(const Session& session, const DepthMap& map,
+  Taken takeTexel(const Session& session, const DepthFile& file,
                   const std::vector<std::shared_ptr<Technique>>& chosen, Pixel at,
                   double depth) const;
   Taken describe(SceneProbe probe, HeadlessFrame& frame, const Session& session) const;
@@ -77,8 +78,12 @@ ProbeCommand::ProbeCommand(OptionParser& command) {
                        const std::string& text) {
     command.add(name, value, {group, type, text});
   };
-  add("--texel", texel, "X,Y", "Of a depth map: the region's centre, y down, from 0");
-  add("--receiver", receiver, "Z", "Receiver's depth, 0 to 1; needed with --depth");
+  add("--texel", texel, "X,Y",
+      "Of a depth map: the region's centre in the file's own count, as viewers show it, y down");
+  add("--receiver", receiver, "Z",
+      "Receiver's linear depth, 0 to 1; of a depth map, which needs one, also a distance such as "
+      "6w "
+      "or a value of the file such as 0.97f");
   add("--pixel", pixel, "X,Y|worst",
       "Of a scene: y down, from 0, or where vsm, or else the first bound, bleeds most");
   add("--named", named, "NAME|all", "A probe that the session keeps, or all of them as one table");
@@ -141,7 +146,9 @@ void ProbeCommand::run() const {
   samplesOf(samples);
   Workspace workspace = options.workspace(catalogue);
   Session& session = workspace.shared;
-  if (receiver) session.receiver = numberFrom(*receiver, "--receiver", {0.0, 1.0});
+  const bool isScene = session.source.kind != SourceKind::DepthFile;
+  // A depth map's receiver may be told in measures that only the file knows.
+  if (receiver && isScene) session.receiver = numberFrom(*receiver, "--receiver", {0.0, 1.0});
   keptOnes(session);  // refuses a name that there is not before anything is loaded
   if (folder)
     checkWritable(std::filesystem::path(*folder) / (isTable() ? "probes.json" : "probe.json"));
@@ -162,9 +169,10 @@ std::vector<NamedProbe> ProbeCommand::keptOnes(const Session& session) const {
   return {probe};
 }
 
-ProbeCommand::Taken ProbeCommand::takeTexel(const Session& session, const DepthMap& map,
+ProbeCommand::Taken ProbeCommand::takeTexel(const Session& session, const DepthFile& file,
                                             const std::vector<std::shared_ptr<Technique>>& chosen,
                                             Pixel at, double depth) const {
+  const DepthMap& map = file.map;
   Taken taken{{.map = map,
                .read = ReadPoint::atTexel(map, at.x, at.y),
                .kernel = session.frame.kernel,
@@ -179,6 +187,8 @@ ProbeCommand::Taken ProbeCommand::takeTexel(const Session& session, const DepthM
   taken.probe = takeProbe(taken.request);
   taken.json = probeToJson(taken.probe, map,
                            {shortNameOf(session.source), binsOf(bins), samplesOf(samples)});
+  countAsFile(taken.json, file);
+  taken.file = &file;
   if (trace) addTraces(taken.json, taken.probe);
   return taken;
 }
@@ -194,37 +204,44 @@ void ProbeCommand::probeDepthMap(Workspace workspace) const {
         "--reference: a depth map has no surfaces that rays could meet; raytraced goes with "
         "a scene");
   std::vector<NamedProbe> places = keptOnes(shared);
-  if (texel) shared.probe = pixelFrom(*texel, "--texel");
-  if (places.empty() && !shared.probe)
+  if (places.empty() && !texel && !shared.probe)
     throw Error(ErrorKind::BadCommandLine, "--texel: is missing, give --texel X,Y");
-  if (places.empty() && !shared.receiver)
+  if (places.empty() && !receiver && !shared.receiver)
     throw Error(ErrorKind::BadCommandLine, "--receiver: is missing, give --receiver Z");
-  if (places.empty()) places.push_back({"", {}, shared.probe, shared.receiver});
+  std::optional<std::pair<int, int>> asked;
+  if (texel) asked = texelFrom(*texel, "--texel");
   if (!options.namesFormat() && !options.namesSession()) chooseFormatFor(shared);
   Session session = sessionOf(workspace);
   session.frame = readSettingsOf(session);
   const auto chosen = techniques(session);
   const std::vector<Drawing> compared = panes(workspace);
-  const DepthMap map = loadDepthMap(session.source);
+  const DepthFile file = loadedDepth(session.source);
+  const DepthMap& map = file.map;
+  if (asked) shared.probe = {asked->first - file.originX, asked->second - file.originY};
+  if (places.empty()) places.push_back({"", {}, shared.probe, shared.receiver});
   std::vector<NamedResult> results;
   for (const NamedProbe& place : places) {
     const auto [x, y] = *place.texel;
     NamedResult& result = results.emplace_back(NamedResult{place, {}, {}, {}, {}});
-    if (x >= map.width() || y >= map.height()) {
-      result.reason = std::to_string(x) + "," + std::to_string(y) + " is outside the map of " +
-                      std::to_string(map.width()) + "x" + std::to_string(map.height()) +
-                      " texels, which count from 0";
+    result.kept.texel = {x + file.originX, y + file.originY};
+    if (x < 0 || y < 0 || x >= map.width() || y >= map.height()) {
+      const bool fromZero = file.originX == 0 && file.originY == 0;
+      result.reason =
+          std::to_string(result.kept.texel->x) + "," + std::to_string(result.kept.texel->y) +
+          " is outside the map of " + std::to_string(map.width()) + "x" +
+          std::to_string(map.height()) + " texels, which count from " +
+          (fromZero ? "0" : std::to_string(file.originX) + "," + std::to_string(file.originY));
       if (!isTable())
         throw Error(ErrorKind::BadCommandLine, (named ? "--named: " : "--texel: ") + result.reason);
       continue;
     }
-    const double depth =
-        receiver ? *session.receiver : place.receiver.value_or(NamedProbe::depthOnFile);
-    Taken taken = takeTexel(session, map, chosen, *place.texel, depth);
+    const double depth = receiver ? receiverFrom(*receiver, "--receiver", file, x, y)
+                                  : place.receiver.value_or(NamedProbe::depthOnFile);
+    Taken taken = takeTexel(session, file, chosen, *place.texel, depth);
     std::vector<PaneProbe> ofPanes;
     for (const Drawing& pane : compared)
       ofPanes.push_back(probePane(pane, [&] {
-        return justTheProbe(takeTexel(pane.session, map, {pane.technique}, *place.texel, depth));
+        return justTheProbe(takeTexel(pane.session, file, {pane.technique}, *place.texel, depth));
       }));
     addPanes(taken, std::move(ofPanes));
     if (named) taken.json["name"] = place.name;
@@ -233,7 +250,7 @@ void ProbeCommand::probeDepthMap(Workspace workspace) const {
     result.json = std::move(taken.json);
     result.panes = std::move(taken.panes);
   }
-  finishTable(sourceToJson(shortNameOf(session.source), map), results);
+  finishTable(sourceToJson(shortNameOf(session.source), file), results);
 }
 
 void ProbeCommand::probePixel(const Workspace& workspace) const {
@@ -352,12 +369,12 @@ void ProbeCommand::finishTable(const Json& source, const std::vector<NamedResult
 }
 
 void ProbeCommand::finish(const Taken& taken, const Session& session, Display* display) const {
-  const auto& [request, probe, object, truth, frame, compared] = taken;
+  const auto& [request, probe, object, truth, frame, compared, file] = taken;
   if (json) return printJson(object);
   if (!folder && truth)
     print("ray traced " + shortNumber(*truth) + ", which the errors are against\n");
   if (!folder)
-    return print(probeText(probe) + (compared.empty() ? "" : "\n" + panesText(compared)) +
+    return print(probeText(probe, file) + (compared.empty() ? "" : "\n" + panesText(compared)) +
                  (trace ? tracesText(probe) : std::string()));
   OutputFolder files(*folder);
   const std::unique_ptr<Display> own = display ? nullptr : loadDisplay();

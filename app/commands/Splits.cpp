@@ -74,7 +74,7 @@ int SplitsCommand::layerCount(const Session& session) const {
 }
 
 DepthMap SplitsCommand::depthMap(const Session& session) const {
-  if (session.source.kind == SourceKind::DepthFile) return loadDepthMap(session.source);
+  if (session.source.kind == SourceKind::DepthFile) return loadedDepth(session.source).map;
   checkGpuFormat(session);
   const auto scene = options.scene(session.source);
   const std::unique_ptr<Display> display = loadDisplay();

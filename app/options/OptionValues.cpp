@@ -97,10 +97,20 @@ Pixel pixelFrom(std::string_view text, std::string_view option) {
   refuse(option, text, "X,Y: two whole numbers from 0, y down");
 }
 
+std::pair<int, int> texelFrom(std::string_view text, std::string_view option) {
+  const std::vector<double> values = numbers(text, 2);
+  const auto isTexel = [](double value) {
+    return value == std::floor(value) && std::abs(value) < 1e9;
+  };
+  if (values.empty() || !isTexel(values[0]) || !isTexel(values[1]))
+    refuse(option, text, "X,Y: two whole numbers");
+  return {int(values[0]), int(values[1])};
+}
+
 std::pair<double, double> depthRangeFrom(std::string_view text, std::string_view option) {
   const std::vector<double> values = numbers(text, 2);
-  if (values.empty() || !(values[0] < values[1]) || !std::isfinite(values[1] - values[0]))
-    refuse(option, text, "NEAR,FAR: two numbers, the first smaller, whose difference is finite");
+  if (values.empty() || values[0] == values[1] || !std::isfinite(values[1] - values[0]))
+    refuse(option, text, "NEAR,FAR: two numbers that differ, by what is finite");
   return {values[0], values[1]};
 }
 

@@ -30,7 +30,9 @@ bool rayTracedFrom(std::string_view text, std::string_view option);
 Eigen::Vector3d pointFrom(std::string_view text, std::string_view option);
 // "X,Y", from 0.
 Pixel pixelFrom(std::string_view text, std::string_view option);
-// "NEAR,FAR", NEAR < FAR, and a finite distance apart.
+// "X,Y" in a file's own count, which may begin below 0.
+std::pair<int, int> texelFrom(std::string_view text, std::string_view option);
+// "NEAR,FAR", which differ by what is finite. NEAR may be the larger one.
 std::pair<double, double> depthRangeFrom(std::string_view text, std::string_view option);
 // "NAME=VALUE".
 std::pair<std::string, std::string> assignmentFrom(std::string_view text, std::string_view option);

@@ -12,6 +12,7 @@
 #include "datasets/session/LoadSource.h"
 #include "filters/core/support/Error.h"
 #include "filters/core/support/InputFile.h"
+#include "filters/core/support/Parameters.h"
 #include "filters/core/support/Text.h"
 
 namespace umbra {
@@ -77,6 +78,31 @@ std::shared_ptr<const Scene> SceneLoader::scene(const SceneSource& source) {
   for (const std::string& notice : content.notices) spdlog::warn("{}", notice);
   loaded_.emplace_back(source, content.scene);
   return content.scene;
+}
+
+DepthFile loadedDepth(const SceneSource& source) {
+  DepthFile file = loadDepth(source);
+  for (const std::string& note : file.notes) spdlog::warn("{}", note);
+  return file;
+}
+
+double receiverFrom(std::string_view text, std::string_view option, const DepthFile& file, int x,
+                    int y) {
+  const std::optional<GivenDepth> given = givenDepthFrom(text);
+  if (!given)
+    throw Error(
+        ErrorKind::BadCommandLine,
+        std::string(option) + ": '" + clipped(text) +
+            "' is not right, it takes a linear depth from 0 to 1, a distance such as 6w, or "
+            "a value of the file such as 0.97f");
+  const double depth = linearOf(*given, file.scale, x, y);
+  if (!(depth >= 0.0 && depth <= 1.0))
+    throw Error(ErrorKind::BadCommandLine,
+                std::string(option) + ": '" + clipped(text) + "' is linear depth " +
+                    toText(ParameterValue(depth)) + ", it takes one from 0 to 1, or from " +
+                    toText(ParameterValue(file.scale.near())) + "w to " +
+                    toText(ParameterValue(file.scale.far())) + "w");
+  return depth;
 }
 
 std::string shortNameOf(const SceneSource& source) {

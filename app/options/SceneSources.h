@@ -30,6 +30,13 @@ class SceneLoader {
   std::vector<std::pair<SceneSource, std::shared_ptr<const Scene>>> loaded_;
 };
 
+// A depth-file source, with a warning in the log for what was doubtful. Throws BadInput.
+DepthFile loadedDepth(const SceneSource& source);
+// The receiver's linear depth for the texel at (x, y), counted from the map's corner. Throws
+// BadCommandLine for what is no depth, or lies beyond the planes.
+double receiverFrom(std::string_view text, std::string_view option, const DepthFile& file, int x,
+                    int y);
+
 // For tables and files: the scene's name, or a file's name without its folder.
 std::string shortNameOf(const SceneSource& source);
 

@@ -6,6 +6,7 @@
 
 #include "app/options/OptionValues.h"
 #include "datasets/maps/DepthFile.h"
+#include "datasets/maps/Raster.h"
 #include "datasets/meshes/MeshFileReader.h"
 #include "datasets/session/PaneChoice.h"
 #include "datasets/session/SessionSettings.h"
@@ -55,10 +56,21 @@ void SessionOptions::addInput(OptionParser& command) {
                         {group, "PARAMETER=VALUE", "Adjust the scene, see `scenes`; repeatable"});
   command.add("--up", up_, {group, "y|z", "Which axis of the mesh file points up (default y)"});
   command.add("--depth", depth_,
-              {group, "FILE.exr[:CHANNEL]",
-               "Depth map instead of a scene: a float or half channel, by default Z"});
+              {group, "FILE[:CHANNEL]",
+               "Depth map instead of a scene (" + rasterExtensions() +
+                   "); of an OpenEXR file by default the channel Z, else the only one"});
   command.add("--depth-range", depthRange_,
-              {group, "NEAR,FAR", "Depths that become 0 and 1 (default 0,1)"});
+              {group, "NEAR,FAR",
+               "Values that become 0 and 1 (default 0,1; NEAR may be the larger: reversed)"});
+  command.add(
+      "--depth-projection", depthProjection_,
+      {group, "PROJECTION",
+       "What drew the map, to be undone: " + std::string(projectionSyntax) + " (default linear)"});
+  command.add("--depth-miss", depthMiss_,
+              {group, "error|clamp|VALUE",
+               "What becomes of values that are no depths: an error, the nearest bound, or VALUE. "
+               "A VALUE beyond the range, or the near bound, is what texels hold that saw nothing; "
+               "these become the far bound (default error)"});
   command.add("--session", session_,
               {group, "FILE.json", "Start from a saved session; options override it"});
 }
@@ -126,20 +138,15 @@ void SessionOptions::editSource(Session& session) const {
   if (scene_ && depth_)
     throw Error(ErrorKind::BadCommandLine, "--depth: excludes --scene, give one of them");
   if (scene_) refuseEmpty(*scene_, "--scene", "NAME or FILE");
-  if (depth_) refuseEmpty(*depth_, "--depth", "FILE.exr[:CHANNEL]");
+  if (depth_) refuseEmpty(*depth_, "--depth", "FILE[:CHANNEL]");
   const SceneSource former = session.source;
   if (scene_) session.source = sceneSourceFrom(*scene_, "--scene");
   if (depth_) {
     session.source = {};
     session.source.kind = SourceKind::DepthFile;
-    std::tie(session.source.name, session.source.channel) = splitDepthArgument(*depth_);
+    std::tie(session.source.name, session.source.depth.channel) = splitDepthArgument(*depth_);
   }
-  if (depthRange_) {
-    if (session.source.kind != SourceKind::DepthFile)
-      throw Error(ErrorKind::BadCommandLine, "--depth-range: only goes with --depth");
-    std::tie(session.source.depthNear, session.source.depthFar) =
-        depthRangeFrom(*depthRange_, "--depth-range");
-  }
+  editDepth(session.source);
   if (up_) {
     if (session.source.kind != SourceKind::MeshFile)
       throw Error(ErrorKind::BadCommandLine, "--up: only goes with a mesh file");
@@ -150,6 +157,23 @@ void SessionOptions::editSource(Session& session) const {
     session.probes.clear();
     session.keptProbe.clear();
   }
+}
+
+void SessionOptions::editDepth(SceneSource& source) const {
+  const auto given = [&](const Text& text, const char* option) {
+    if (text && source.kind != SourceKind::DepthFile)
+      throw Error(ErrorKind::BadCommandLine, std::string(option) + ": only goes with --depth");
+    return text.has_value();
+  };
+  if (given(depthRange_, "--depth-range"))
+    std::tie(source.depth.atZero, source.depth.atOne) =
+        depthRangeFrom(*depthRange_, "--depth-range");
+  asOption([&] {
+    if (given(depthProjection_, "--depth-projection"))
+      source.depth.projection = projectionFrom(*depthProjection_, "--depth-projection");
+    if (given(depthMiss_, "--depth-miss"))
+      source.depth.miss = depthMissFrom(*depthMiss_, "--depth-miss");
+  });
 }
 
 std::vector<std::string> idsOf(const TechniqueCatalogue& catalogue) {

@@ -68,6 +68,7 @@ class SessionOptions {
   void addSettings(OptionParser& command, std::string_view group);
 
   void editSource(Session& session) const;
+  void editDepth(SceneSource& source) const;
   void editTechnique(Workspace& workspace, const TechniqueCatalogue& catalogue) const;
   void editParameters(Session& session, const TechniqueCatalogue& catalogue) const;
   void editView(Session& session) const;
@@ -75,7 +76,7 @@ class SessionOptions {
   void editSettings(Session& session, const Light& light, const Camera& camera) const;
   std::string optionOfScene() const;
 
-  Text scene_, up_, depth_, depthRange_, session_;
+  Text scene_, up_, depth_, depthRange_, depthProjection_, depthMiss_, session_;
   std::vector<std::string> sceneSettings_, settings_;
   Text techniques_, light_, camera_;
   mutable SceneLoader scenes_;  // what was read stays, nothing else changes

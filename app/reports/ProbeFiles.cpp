@@ -37,16 +37,21 @@ std::vector<Plot> explainingPlotsOf(const ProbeRequest& request, const Probe& pr
   return plots;
 }
 
-std::string probeText(const Probe& probe) {
+std::string probeText(const Probe& probe, const DepthFile* file) {
   const Region& region = probe.region;
   const RegionStatistics& s = probe.statistics;
-  std::string text = "region    texel " + std::to_string(region.x) + "," +
-                     std::to_string(region.y) + ", " + describe(region.kernel) + ", " +
+  const int originX = file ? file->originX : 0, originY = file ? file->originY : 0;
+  std::string text = "region    texel " + std::to_string(region.x + originX) + "," +
+                     std::to_string(region.y + originY) + ", " + describe(region.kernel) + ", " +
                      std::to_string(region.texels.size()) + " taps\n";
   text += "depths    mean " + shortNumber(s.mean) + ", variance " + shortNumber(s.variance) +
           ", min " + shortNumber(s.min) + ", max " + shortNumber(s.max) + ", beta " +
           shortNumber(s.beta) + "\n";
-  text += "receiver  " + shortNumber(probe.receiver) + "\n";
+  text += "receiver  " + shortNumber(probe.receiver);
+  if (file)
+    text += ", " + shortNumber(file->scale.worldOf(probe.receiver)) + " world, " +
+            shortNumber(file->scale.fileOf(probe.receiver, region.x, region.y)) + " in the file";
+  text += "\n";
   text += "reference " + shortNumber(probe.reference) + "\n\n";
   std::vector<TableRow> rows{{"TECHNIQUE", "VISIBILITY", "ERROR"}};
   bool gpu = false;

@@ -7,6 +7,7 @@
 #include "analysis/probe/Probe.h"
 #include "app/display/Display.h"
 #include "app/output/Output.h"
+#include "datasets/maps/DepthFile.h"
 
 namespace umbra {
 
@@ -20,8 +21,9 @@ void writeProbe(OutputFolder& folder, Display& display, const Probe& probe, cons
 std::vector<Plot> explainingPlotsOf(const ProbeRequest& request, const Probe& probe,
                                     const Session& session);
 
-// For people: the region, its statistics and a row for every technique.
-std::string probeText(const Probe& probe);
+// For people: the region, its statistics and a row for every technique. Texels are counted as
+// `file` does, and the receiver is also told in its measures, where there is one.
+std::string probeText(const Probe& probe, const DepthFile* file = nullptr);
 // Every technique's steps, and what goes wrong.
 std::string tracesText(const Probe& probe);
 

@@ -102,6 +102,21 @@ Json sourceToJson(const std::string& name, const DepthMap& map) {
   return {{"name", name}, {"width", map.width()}, {"height", map.height()}};
 }
 
+Json sourceToJson(const std::string& name, const DepthFile& file) {
+  Json source = sourceToJson(name, file.map);
+  source["origin"] = {file.originX, file.originY};
+  return source;
+}
+
+void countAsFile(Json& object, const DepthFile& file) {
+  const int x = object["region"]["texel"][0], y = object["region"]["texel"][1];
+  const double receiver = object["receiver"];
+  object["source"]["origin"] = {file.originX, file.originY};
+  object["region"]["texel"] = {x + file.originX, y + file.originY};
+  object["receiverWorld"] = finiteOrNull(file.scale.worldOf(receiver));
+  object["receiverFile"] = finiteOrNull(file.scale.fileOf(receiver, x, y));
+}
+
 Json probeToJson(const Probe& probe, const DepthMap& map, const ProbeJsonDetail& detail) {
   const Histogram histogram = histogramOf(probe.region, detail.bins);
   Json object = {{"format", "umbrascope-probe/1"},

@@ -12,6 +12,7 @@
 #include "analysis/probe/Probe.h"
 #include "analysis/surfaces/SurfaceErrors.h"
 #include "app/output/Output.h"
+#include "datasets/maps/DepthFile.h"
 #include "datasets/scenes/SceneCatalogue.h"
 #include "datasets/session/file/SessionFile.h"
 #include "filters/core/support/Parameters.h"
@@ -25,6 +26,9 @@ Json parametersOf(const Technique& technique);
 // {"name", "width", "height"}.
 Json sourceToJson(const std::string& name, const DepthMap& map);
 
+// The same of a depth file, with "origin": the first texel's coordinates in the file's own count.
+Json sourceToJson(const std::string& name, const DepthFile& file);
+
 // What probeToJson writes beside the probe itself, and how finely.
 struct ProbeJsonDetail {
   std::string sourceName;
@@ -34,6 +38,10 @@ struct ProbeJsonDetail {
 // "umbrascope-probe/1". Statistics that are infinite are null. The darkening of a smallest
 // reduction is the largest on receivers at the region's own depths.
 Json probeToJson(const Probe& probe, const DepthMap& map, const ProbeJsonDetail& detail);
+
+// Turns a probe of a depth file's map, as probeToJson wrote it, to the file's own count of texels,
+// and adds the receiver's depth as "receiverWorld" and, at the region's texel, "receiverFile".
+void countAsFile(Json& object, const DepthFile& file);
 
 // Adds to each technique of probeToJson its "trace": {"steps": [{"symbol", "meaning", "formula",
 // "value"}], "cause", "step", "sentence", "shares": [{"cause", "step", "amount"}]}. Steps count

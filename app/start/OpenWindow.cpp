@@ -7,6 +7,7 @@
 #include "app/options/SceneSources.h"
 #include "app/start/WindowSystem.h"
 #include "datasets/maps/DepthFile.h"
+#include "datasets/maps/Raster.h"
 #include "datasets/scenes/SceneCatalogue.h"
 #include "datasets/session/DepthReading.h"
 #include "datasets/session/file/SessionFile.h"
@@ -29,7 +30,7 @@ bool isScene(const std::string& name) {
 
 OpenWindow::OpenWindow(OptionParser& program) : program_(program) {
   program.addArgument("SCENE", argument_,
-                      {.text = "Scene, mesh file, depth map (.exr) or session (.json)"});
+                      {.text = "Scene, mesh file, depth map (" + rasterExtensions() + ") or session (.json)"});
   options_.addTo(program);
 }
 
@@ -73,11 +74,11 @@ Workspace OpenWindow::opened() const {
     source.name = *argument_;
   } else if (file.extension() == ".json") {
     workspace = readWorkspace(file);
-  } else if (file.extension() == ".exr") {
+  } else if (rasterReaderOf(file)) {
     source = {};
     source.kind = SourceKind::DepthFile;
     source.name = file.string();
-    source.channel = channel;
+    source.depth.channel = channel;
     chooseFormatFor(workspace.shared);
   } else {
     source = sceneSourceFrom(*argument_, *argument_);

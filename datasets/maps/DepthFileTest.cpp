@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class DepthFile : public testing::Test {
+class DepthFiles : public testing::Test {
  protected:
   fs::path path(const std::string& name) const { return folder_ / name; }
 
@@ -80,7 +80,7 @@ Imf::FrameBuffer frameOf(Image<float>& image, const Imath::Box2i& window) {
   return frame;
 }
 
-TEST_F(DepthFile, GivesBackWhatWasWritten) {
+TEST_F(DepthFiles, GivesBackWhatWasWritten) {
   const Image<float> image = noise(13, 7);
   writeExr(path("m.exr"), {{"Z", image}}, {{"program", "a test"}});
   const DepthMap map = readDepthFile(path("m.exr"));
@@ -95,7 +95,7 @@ TEST_F(DepthFile, GivesBackWhatWasWritten) {
   EXPECT_EQ(program->value(), "a test");
 }
 
-TEST_F(DepthFile, RoundsToHalfOnceWhenAskedTo) {
+TEST_F(DepthFiles, RoundsToHalfOnceWhenAskedTo) {
   const Image<float> image = noise(9, 9);
   writeExr(path("m.exr"), {{"Z", image}}, {}, ExrPixel::Half);
   const DepthMap map = readDepthFile(path("m.exr"));
@@ -104,7 +104,7 @@ TEST_F(DepthFile, RoundsToHalfOnceWhenAskedTo) {
       EXPECT_EQ(map(x, y), stored(image(x, y), StorageFormat::Half)) << x << "," << y;
 }
 
-TEST_F(DepthFile, NormalisesInDoubleAlsoWhenNearIsTheLargerValue) {
+TEST_F(DepthFiles, NormalisesInDoubleAlsoWhenNearIsTheLargerValue) {
   Image<float> image(2, 1);
   image(0, 0) = 2.3f;
   image(1, 0) = 9.0f;
@@ -115,7 +115,7 @@ TEST_F(DepthFile, NormalisesInDoubleAlsoWhenNearIsTheLargerValue) {
   EXPECT_EQ(readDepthFile(path("m.exr"), "", 11.0, 1.0)(1, 0), 0.2);
 }
 
-TEST_F(DepthFile, TakesZElseTheOnlyChannelElseListsThem) {
+TEST_F(DepthFiles, TakesZElseTheOnlyChannelElseListsThem) {
   const Image<float> a(4, 4, 1, 0.25f), b(4, 4, 1, 0.75f);
   writeExr(path("one.exr"), {{"depth", a}}, {});
   EXPECT_EQ(readDepthFile(path("one.exr"))(0, 0), 0.25);
@@ -124,25 +124,30 @@ TEST_F(DepthFile, TakesZElseTheOnlyChannelElseListsThem) {
   EXPECT_EQ(readDepthFile(path("z.exr"), "A")(0, 0), 0.25);
   writeExr(path("two.exr"), {{"R", a}, {"G", b}}, {});
   EXPECT_EQ(refusal(path("two.exr")),
-            ": there is no channel 'Z'; there are G, R: name one as FILE.exr:CHANNEL");
-  EXPECT_EQ(refusal(path("two.exr"), "B"), ": there is no channel 'B'; there are G, R");
+            ": there is no channel 'Z'; there are G (0.75 to 0.75), R (0.25 to 0.25): name one as "
+            "FILE.exr:CHANNEL");
+  EXPECT_EQ(refusal(path("two.exr"), "B"),
+            ": there is no channel 'B'; there are G (0.75 to 0.75), R (0.25 to 0.25)");
 }
 
-TEST_F(DepthFile, NamesTheTexelOfAValueThatIsNoDepth) {
+TEST_F(DepthFiles, NamesTheTexelOfAValueThatIsNoDepth) {
   const float wrong[] = {std::numeric_limits<float>::quiet_NaN(),
                          std::numeric_limits<float>::infinity(),
                          -std::numeric_limits<float>::infinity(), 1.5f, -0.25f};
   const std::string shown[] = {"nan", "inf", "-inf", "1.5", "-0.25"};
+  const std::string advice =
+      "--depth-miss clamp would take the nearest bound, --depth-miss VALUE names the value of "
+      "texels that saw nothing";
   for (int i = 0; i < 5; ++i) {
     Image<float> image(6, 5, 1, 0.5f);
     image(4, 2) = wrong[i];
     writeExr(path("m.exr"), {{"Z", image}}, {});
     EXPECT_EQ(refusal(path("m.exr")),
-              ": texel 4,2 is " + shown[i] + "; depths are finite numbers from 0 to 1");
+              ": texel 4,2 is " + shown[i] + "; depths are finite numbers from 0 to 1; " + advice);
   }
 }
 
-TEST_F(DepthFile, RefusesAnEmptyRange) {
+TEST_F(DepthFiles, RefusesAnEmptyRange) {
   writeExr(path("m.exr"), {{"Z", noise(3, 3)}}, {});
   EXPECT_NE(refusal(path("m.exr"), "", 2.0, 2.0).find("near and far must differ"),
             std::string::npos);
@@ -150,7 +155,7 @@ TEST_F(DepthFile, RefusesAnEmptyRange) {
             std::string::npos);
 }
 
-TEST_F(DepthFile, ReadsTiledFilesAndAnyDataWindow) {
+TEST_F(DepthFiles, ReadsTiledFilesAndAnyDataWindow) {
   const Imath::Box2i window({-3, 40}, {16, 51});
   Image<float> image = noise(20, 12);
   {
@@ -169,7 +174,7 @@ TEST_F(DepthFile, ReadsTiledFilesAndAnyDataWindow) {
     for (int x = 0; x < 20; ++x) EXPECT_EQ(map(x, y), double(image(x, y)));
 }
 
-TEST_F(DepthFile, FindsAChannelInOneOfSeveralParts) {
+TEST_F(DepthFiles, FindsAChannelInOneOfSeveralParts) {
   const Imath::Box2i window({0, 0}, {3, 3});
   Image<float> first(4, 4, 1, 0.25f), second(4, 4, 1, 0.5f);
   std::vector<Imf::Header> headers(2, headerFor(window, Imf::FLOAT));
@@ -186,10 +191,11 @@ TEST_F(DepthFile, FindsAChannelInOneOfSeveralParts) {
   }
   EXPECT_EQ(readDepthFile(path("parts.exr"), "far.Z")(1, 1), 0.5);
   EXPECT_EQ(readDepthFile(path("parts.exr"))(1, 1), 0.25);
-  EXPECT_EQ(refusal(path("parts.exr"), "W"), ": there is no channel 'W'; there are near.Z, far.Z");
+  EXPECT_EQ(refusal(path("parts.exr"), "W"),
+            ": there is no channel 'W'; there are near.Z (0.25 to 0.25), far.Z (0.5 to 0.5)");
 }
 
-TEST_F(DepthFile, ReadsEveryPartThatWasWritten) {
+TEST_F(DepthFiles, ReadsEveryPartThatWasWritten) {
   const Image<float> near = noise(6, 5), far = noise(6, 5);
   writeExr(path("parts.exr"), {{"near", {{"Z", near}}, {{"note", "first"}}},
                                {"far", {{"Z", far}, {"A", near}}, {{"note", "second"}}}});
@@ -201,7 +207,7 @@ TEST_F(DepthFile, ReadsEveryPartThatWasWritten) {
   EXPECT_FALSE(fs::exists(path("same.exr")));
 }
 
-TEST_F(DepthFile, RefusesDeepFilesAndWholeNumbers) {
+TEST_F(DepthFiles, RefusesDeepFilesAndReadsWholeNumbers) {
   const Imath::Box2i window({0, 0}, {1, 1});
   {
     Imf::Header header = headerFor(window, Imf::FLOAT);
@@ -223,17 +229,19 @@ TEST_F(DepthFile, RefusesDeepFilesAndWholeNumbers) {
   EXPECT_EQ(refusal(path("deep.exr")), ": is a deep file; a depth map has one value per pixel");
   {
     Imf::OutputFile file(path("uint.exr").c_str(), headerFor(window, Imf::UINT));
-    std::vector<unsigned> values(4, 1);
+    std::vector<unsigned> values{0, 1u << 31, 3u << 30, 4294967295u};
     Imf::FrameBuffer frame;
     frame.insert("Z", Imf::Slice::Make(Imf::UINT, values.data(), window));
     file.setFrameBuffer(frame);
     file.writePixels(2);
   }
-  EXPECT_EQ(refusal(path("uint.exr")),
-            ": channel 'Z' holds whole numbers; a depth is half or float");
+  // Whole numbers keep all their bits: a float would round the last one.
+  const DepthMap whole = readDepthFile(path("uint.exr"), "", 0.0, 4294967295.0);
+  EXPECT_EQ(whole(1, 0), 2147483648.0 / 4294967295.0);
+  EXPECT_EQ(whole(1, 1), 1.0);
 }
 
-TEST_F(DepthFile, RefusesWhatIsNoWholeFile) {
+TEST_F(DepthFiles, RefusesWhatIsNoWholeFile) {
   EXPECT_EQ(refusal(path("absent.exr")), ": there is no such file");
   write(path("text.exr"), "not a picture");
   EXPECT_NE(refusal(path("text.exr")).find("cannot be read as OpenEXR"), std::string::npos);
@@ -247,7 +255,7 @@ TEST_F(DepthFile, RefusesWhatIsNoWholeFile) {
 }
 
 // The library checks only the stated size; a smaller size must still fit the file.
-TEST_F(DepthFile, RefusesASizeThatTheFileCannotHold) {
+TEST_F(DepthFiles, RefusesASizeThatTheFileCannotHold) {
   writeExr(path("m.exr"), {{"Z", noise(4, 4)}}, {});
   std::string bytes = bytesOf(path("m.exr"));
   for (const std::string name : {"dataWindow", "displayWindow"}) {
@@ -272,7 +280,7 @@ TEST_F(DepthFile, RefusesASizeThatTheFileCannotHold) {
 }
 
 // OpenEXR would allocate 2 GiB before it finds that they are not there.
-TEST_F(DepthFile, RefusesAnAttributeThatTheFileCannotHold) {
+TEST_F(DepthFiles, RefusesAnAttributeThatTheFileCannotHold) {
   const std::string header(
       "v/1\x01\x02\0\0\0name\0string\0\xff\xff\xff\x7f"
       "x",
@@ -282,7 +290,7 @@ TEST_F(DepthFile, RefusesAnAttributeThatTheFileCannotHold) {
             ": the attribute 'name' promises 2147483647 bytes, the file has 1 after it");
 }
 
-TEST_F(DepthFile, SurvivesDamagedFiles) {
+TEST_F(DepthFiles, SurvivesDamagedFiles) {
   writeExr(path("m.exr"), {{"Z", noise(24, 24)}}, {{"note", "text"}});
   const std::string whole = bytesOf(path("m.exr"));
   std::mt19937 random(11);
@@ -301,7 +309,7 @@ TEST_F(DepthFile, SurvivesDamagedFiles) {
   }
 }
 
-TEST_F(DepthFile, LeavesWhatStoodThereWhenItCannotWrite) {
+TEST_F(DepthFiles, LeavesWhatStoodThereWhenItCannotWrite) {
   writeExr(path("m.exr"), {{"Z", noise(4, 4)}}, {});
   const std::string before = bytesOf(path("m.exr"));
   EXPECT_THROW(writeExr(path("m.exr"), {{"A", noise(4, 4)}, {"B", noise(5, 4)}}, {}), Error);

@@ -1,6 +1,5 @@
 #include "datasets/session/LoadSource.h"
 
-#include "datasets/maps/DepthFile.h"
 #include "datasets/scenes/MeshScene.h"
 #include "datasets/scenes/SceneCatalogue.h"
 #include "filters/core/support/Error.h"
@@ -19,14 +18,18 @@ Scene readScene(const SceneSource& source, std::vector<std::string>& notices) {
 
 }  // namespace
 
-DepthMap loadDepthMap(const SceneSource& source) {
-  return readDepthFile(source.name, source.channel, source.depthNear, source.depthFar);
+DepthFile loadDepth(const SceneSource& source) {
+  DepthFile file = readDepth(source.name, source.depth);
+  for (std::string& note : file.notes) note = source.name + ": " + note;
+  return file;
 }
 
 Content loadSource(const SceneSource& source) {
   Content content;
   if (source.kind == SourceKind::DepthFile) {
-    content.depth = std::make_shared<const DepthMap>(loadDepthMap(source));
+    content.depthFile = std::make_shared<const DepthFile>(loadDepth(source));
+    content.depth = {content.depthFile, &content.depthFile->map};
+    content.notices = content.depthFile->notes;
     return content;
   }
   content.scene = std::make_shared<const Scene>(readScene(source, content.notices));

@@ -14,6 +14,8 @@ namespace umbra {
 struct Content {
   std::shared_ptr<const Scene> scene;
   std::shared_ptr<const DepthMap> depth;
+  // Whose map `depth` is: where its texels lie in the file's count, and what its depths measure.
+  std::shared_ptr<const DepthFile> depthFile;
   // One line for people for each thing that was left out on the way, such as faces without area.
   std::vector<std::string> notices;
 
@@ -23,7 +25,7 @@ struct Content {
 // Throws BadInput for what cannot be read, is not in the catalogue or has no triangle to draw. Safe
 // on any thread.
 Content loadSource(const SceneSource& source);
-// The map of a depth-file source, alone: a large one is not kept twice. Throws BadInput.
-DepthMap loadDepthMap(const SceneSource& source);
+// A depth-file source, alone: a large one is not kept twice. Throws BadInput.
+DepthFile loadDepth(const SceneSource& source);
 
 }  // namespace umbra

@@ -39,8 +39,7 @@ TEST_F(LoadSource, SaysWhatAMeshLost) {
       loadSource(meshOf("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nf 1 2 3\nf 1 2 4\n"));
   ASSERT_TRUE(content.scene);
   ASSERT_EQ(content.notices.size(), 1u);
-  EXPECT_EQ(content.notices[0], file_.string() +
-                                    ": 1 face without area was left out");
+  EXPECT_EQ(content.notices[0], file_.string() + ": 1 face without area was left out");
 }
 
 TEST_F(LoadSource, SaysNothingOfASoundMesh) {

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "datasets/maps/DepthFile.h"
 #include "datasets/meshes/MeshFile.h"
 #include "datasets/session/NamedProbe.h"
 #include "filters/core/scene/Light.h"
@@ -27,8 +28,7 @@ enum class SourceKind { Catalogue, MeshFile, DepthFile };
 struct SceneSource {
   SourceKind kind = SourceKind::Catalogue;
   std::string name = "tree-bench";           // of the catalogue, or a path
-  std::string channel;                       // DepthFile: "" is Z, else the only one
-  double depthNear = 0.0, depthFar = 1.0;    // DepthFile: the values that become 0 and 1
+  DepthImport depth;                         // DepthFile: how its values are understood
   UpAxis up = UpAxis::Y;                     // MeshFile: which of the file's axes is the world's y
   std::map<std::string, double> parameters;  // Catalogue: what the scene lets one adjust
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "datasets/session/file/JsonObject.h"
 #include "datasets/json/JsonText.h"
+#include "datasets/session/file/JsonObject.h"
 #include "datasets/session/file/SessionFileCompare.h"
 #include "datasets/session/file/SessionFileParameters.h"
 #include "datasets/session/file/SessionFileProbes.h"
@@ -27,8 +27,11 @@ Json sourceJson(const SceneSource& source) {
     }
     case SourceKind::DepthFile: {
       Json json{{"depth", source.name}};
-      if (!source.channel.empty()) json["channel"] = source.channel;
-      json["range"] = {source.depthNear, source.depthFar};
+      const DepthImport& depth = source.depth;
+      if (!depth.channel.empty()) json["channel"] = depth.channel;
+      json["range"] = {depth.atZero, depth.atOne};
+      if (depth.projection != DepthProjection()) json["projection"] = toText(depth.projection);
+      if (depth.miss != DepthMiss()) json["miss"] = toText(depth.miss);
       return json;
     }
     case SourceKind::Catalogue:
@@ -77,10 +80,16 @@ void readSource(JsonObject& object, SceneSource& source) {
   } else {
     source.kind = SourceKind::DepthFile;
     source.name = depth;
-    object.read("channel", source.channel);
+    object.read("channel", source.depth.channel);
+    object.readName("projection", [&](const std::string& name, const std::string& where) {
+      source.depth.projection = projectionFrom(name, where);
+    });
+    object.readName("miss", [&](const std::string& name, const std::string& where) {
+      source.depth.miss = depthMissFrom(name, where);
+    });
     object.readRest([&](const std::string& key, const Json& value, const std::string& where) {
       if (key != "range") throw Error(ErrorKind::BadInput, where + ": there is no such key");
-      readPair(value, where, source.depthNear, source.depthFar);
+      readPair(value, where, source.depth.atZero, source.depth.atOne);
     });
   }
 }

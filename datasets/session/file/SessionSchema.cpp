@@ -138,7 +138,11 @@ Json sourceSchema() {
                     {"parameters", {{"type", "object"}, {"additionalProperties", anyNumber}}}},
                    {"scene"}),
             closed({{"mesh", text}, {"up", {{"enum", {"y", "z"}}}}}, {"mesh"}),
-            closed({{"depth", text}, {"channel", text}, {"range", list(anyNumber, 2, 2)}},
+            closed({{"depth", text},
+                    {"channel", text},
+                    {"range", list(anyNumber, 2, 2)},
+                    {"projection", text},
+                    {"miss", text}},
                    {"depth"})}}};
 }
 

@@ -4,9 +4,9 @@
 
 #include <filesystem>
 
+#include "datasets/json/JsonText.h"
 #include "datasets/lessons/LessonCatalogue.h"
 #include "datasets/session/SessionSettings.h"
-#include "datasets/json/JsonText.h"
 #include "datasets/session/file/SchemaCheck.h"
 #include "datasets/session/file/SessionFileCheck.h"
 #include "filters/core/support/Text.h"

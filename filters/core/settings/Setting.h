@@ -107,7 +107,10 @@ struct SettingRow {
   Stage (*staleBy)(const P& before, const P& after) = nullptr;
 
   SettingValue valueIn(const P& values) const { return get(values, info); }
-  SettingValue defaultValue() const { return valueIn(P{}); }
+  SettingValue defaultValue() const {
+    static const P defaults;
+    return valueIn(defaults);
+  }
   bool idleIn(const P& values) const { return whyIdle && !whyIdle(values).empty(); }
   void putInto(P& values, const SettingValue& value) const { put(values, info, value); }
 };

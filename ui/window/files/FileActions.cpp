@@ -4,6 +4,7 @@
 
 #include "datasets/lessons/LessonFile.h"
 #include "datasets/maps/DepthFile.h"
+#include "datasets/maps/Raster.h"
 #include "datasets/session/file/SessionFile.h"
 #include "filters/core/support/AtomicFile.h"
 #include "filters/core/support/Error.h"
@@ -45,9 +46,9 @@ void FileActions::open(const fs::path& file) {
     }
     const auto [path, channel] = splitDepthArgument(file.string());
     SceneSource source;
-    source.kind = lowerExtension(path) == ".exr" ? SourceKind::DepthFile : SourceKind::MeshFile;
+    source.kind = rasterReaderOf(path) ? SourceKind::DepthFile : SourceKind::MeshFile;
     source.name = fs::absolute(path).string();
-    source.channel = channel;
+    source.depth.channel = channel;
     controller_.openSource(source);
   };
   attempt(read, [this](const QString& problem) { emit failed(problem); });

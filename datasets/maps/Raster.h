@@ -1,0 +1,46 @@
+// A file of numbers in rows, whatever its format.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace umbra {
+
+// What a file's numbers are stored as.
+enum class RasterNumber { Half, Float, Double, Whole };
+
+// A value as that number can hold it.
+double rounded(double value, RasterNumber number);
+
+struct RasterInfo {
+  int width = 0, height = 0;
+  int originX = 0, originY = 0;  // the first texel's coordinates in the file's own count
+  RasterNumber number = RasterNumber::Float;
+};
+
+// Takes a raster as it is read, so that nothing needs a second copy of it: `begin` once, then each
+// row from the top down.
+struct RasterSink {
+  std::function<void(const RasterInfo& info)> begin;
+  std::function<void(int y, std::span<const double> row)> row;
+};
+
+// A shadow map of this size a side takes 2 GB in double; a header that promises more is damaged.
+inline constexpr int largestRasterSide = 16384;
+
+// The readers. `channel` is "" for the one that is meant where none is named. All throw BadInput
+// that begins with the file's name.
+void readExr(const std::filesystem::path& file, const std::string& channel, const RasterSink& sink);
+void readPfm(const std::filesystem::path& file, const std::string& channel, const RasterSink& sink);
+void readNpy(const std::filesystem::path& file, const std::string& channel, const RasterSink& sink);
+
+// The reader that a file's name asks for; null where there is none.
+using RasterReader = void (*)(const std::filesystem::path&, const std::string&, const RasterSink&);
+RasterReader rasterReaderOf(const std::filesystem::path& file);
+// ".exr .pfm .npy"
+std::string rasterExtensions();
+
+}  // namespace umbra
