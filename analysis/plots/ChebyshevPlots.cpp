@@ -59,13 +59,13 @@ Plot varianceFamilyPlot(const Probe& probe) {
     const char* name;
     double tint;
   };
-  for (const auto& [factor, name, tint] : {Member{0.5, "½ σ²", 0.4}, Member{1.0, "σ²", 1.0},
-                                           Member{2.0, "2 σ²", 0.75}, Member{4.0, "4 σ²", 0.55}}) {
-    PlotSeries series =
-        plot::sampled(name, plot::tint(chebyshevColour, tint), range,
-                      [&](double z) { return chebyshevBound(s.mean, factor * s.variance, z); });
-    series.lineWidth = factor == 1.0 ? plot::thick : plot::thin;
-    if (factor == 1.0) series.name += " = " + shortNumber(s.variance);
+  for (const Member& member : {Member{0.5, "½ σ²", 0.4}, Member{1.0, "σ²", 1.0},
+                               Member{2.0, "2 σ²", 0.75}, Member{4.0, "4 σ²", 0.55}}) {
+    PlotSeries series = plot::sampled(
+        member.name, plot::tint(chebyshevColour, member.tint), range,
+        [&](double z) { return chebyshevBound(s.mean, member.factor * s.variance, z); });
+    series.lineWidth = member.factor == 1.0 ? plot::thick : plot::thin;
+    if (member.factor == 1.0) series.name += " = " + shortNumber(s.variance);
     plot.series.push_back(std::move(series));
   }
   plot.markers.push_back(

@@ -83,8 +83,9 @@ Plot fourierStepPlot(int terms, double attenuation, csm::Mode mode) {
                          {range.low, 0.0, range.high},
                          {0.0, 1.0, 1.0},
                          plot::normal});
-  const auto add = [&](std::string name, std::string_view colour, double width, auto function) {
-    plot.series.push_back(plot::sampled(std::move(name), colour, range, function));
+  const auto add = [&](const std::string& name, std::string_view colour, double width,
+                       const auto& function) {
+    plot.series.push_back(plot::sampled(name, colour, range, function));
     plot.series.back().lineWidth = width;
   };
   add("series, α = 0", plot::tint(fourierColour, attenuation > 0.0 ? 0.55 : 1.0), plot::thin,

@@ -29,8 +29,8 @@ void RayTracedVisibility::cast(const Map& map, int blockX, int blockY, Block& bl
   const int count = side_ * side_;
   block.depths.resize(std::size_t(blockSide * blockSide) * count);
   for (int texel = 0; texel < blockSide * blockSide; ++texel) {
-    const double x = blockX * blockSide + texel % blockSide;
-    const double y = blockY * blockSide + texel / blockSide;
+    const int x = blockX * blockSide + texel % blockSide;
+    const int y = blockY * blockSide + texel / blockSide;
     if (x >= size_ || y >= size_) continue;  // blocks at the map's end are not full
     float* depths = &block.depths[std::size_t(texel) * count];
     for (int i = 0; i < count; ++i) {

@@ -36,10 +36,10 @@ struct ProbeCommand {
     std::vector<std::shared_ptr<Technique>> techniques;
     std::vector<Drawing> panes;
   };
-  void probeKept(const Subject& subject, const std::vector<NamedProbe>& kept,
-                 const std::shared_ptr<const Scene>& scene, HeadlessFrame& frame,
-                 Display& display) const;
-  std::vector<NamedProbe> keptOnes(const Session& session) const;
+  void probeSaved(const Subject& subject, const std::vector<NamedProbe>& saved,
+                  const std::shared_ptr<const Scene>& scene, HeadlessFrame& frame,
+                  Display& display) const;
+  std::vector<NamedProbe> savedOnes(const Session& session) const;
   std::vector<std::shared_ptr<Technique>> techniques(const Session& session) const;
   // The panes of a session that compares, unless techniques are named.
   std::vector<Drawing> panes(const Workspace& workspace) const;
@@ -149,7 +149,7 @@ void ProbeCommand::run() const {
   const bool isScene = session.source.kind != SourceKind::DepthFile;
   // A depth map's receiver may be told in measures that only the file knows.
   if (receiver && isScene) session.receiver = numberFrom(*receiver, "--receiver", {0.0, 1.0});
-  keptOnes(session);  // refuses a name that there is not before anything is loaded
+  savedOnes(session);  // refuses a name that there is not before anything is loaded
   if (folder)
     checkWritable(std::filesystem::path(*folder) / (isTable() ? "probes.json" : "probe.json"));
   if (session.source.kind == SourceKind::DepthFile)
@@ -158,9 +158,9 @@ void ProbeCommand::run() const {
     probePixel(workspace);
 }
 
-// What --named chooses; or the kept one that the session's probe is at, unless another is asked
+// What --named chooses; or the saved one that the session's probe is at, unless another is asked
 // for.
-std::vector<NamedProbe> ProbeCommand::keptOnes(const Session& session) const {
+std::vector<NamedProbe> ProbeCommand::savedOnes(const Session& session) const {
   if (named) return chosenProbes(session, *named);
   const NamedProbe* current = probeNamed(session.probes, session.keptProbe);
   if (!current || pixel || texel) return {};
@@ -203,7 +203,7 @@ void ProbeCommand::probeDepthMap(Workspace workspace) const {
         ErrorKind::BadCommandLine,
         "--reference: a depth map has no surfaces that rays could meet; raytraced goes with "
         "a scene");
-  std::vector<NamedProbe> places = keptOnes(shared);
+  std::vector<NamedProbe> places = savedOnes(shared);
   if (places.empty() && !texel && !shared.probe)
     throw Error(ErrorKind::BadCommandLine, "--texel: is missing, give --texel X,Y");
   if (places.empty() && !receiver && !shared.receiver)
@@ -223,11 +223,11 @@ void ProbeCommand::probeDepthMap(Workspace workspace) const {
   for (const NamedProbe& place : places) {
     const auto [x, y] = *place.texel;
     NamedResult& result = results.emplace_back(NamedResult{place, {}, {}, {}, {}});
-    result.kept.texel = {x + file.originX, y + file.originY};
+    result.saved.texel = {x + file.originX, y + file.originY};
     if (x < 0 || y < 0 || x >= map.width() || y >= map.height()) {
       const bool fromZero = file.originX == 0 && file.originY == 0;
       result.reason =
-          std::to_string(result.kept.texel->x) + "," + std::to_string(result.kept.texel->y) +
+          std::to_string(result.saved.texel->x) + "," + std::to_string(result.saved.texel->y) +
           " is outside the map of " + std::to_string(map.width()) + "x" +
           std::to_string(map.height()) + " texels, which count from " +
           (fromZero ? "0" : std::to_string(file.originX) + "," + std::to_string(file.originY));
@@ -258,8 +258,8 @@ void ProbeCommand::probePixel(const Workspace& workspace) const {
   const Session& session = subject.session;
   if (texel)
     throw Error(ErrorKind::BadCommandLine, "--texel: goes with --depth, a scene takes --pixel X,Y");
-  const std::vector<NamedProbe> kept = keptOnes(session);
-  if (kept.empty() && !pixel && !session.probe)
+  const std::vector<NamedProbe> saved = savedOnes(session);
+  if (saved.empty() && !pixel && !session.probe)
     throw Error(ErrorKind::BadCommandLine,
                 "--pixel: is missing, give --pixel X,Y or --pixel worst");
   std::optional<Pixel> place = session.probe;
@@ -272,7 +272,7 @@ void ProbeCommand::probePixel(const Workspace& workspace) const {
   const auto scene = options.scene(session.source);
   const std::unique_ptr<Display> display = loadDisplay();
   const std::unique_ptr<HeadlessFrame> frame = display->makeFrame(scene, session);
-  if (!kept.empty()) return probeKept(subject, kept, scene, *frame, *display);
+  if (!saved.empty()) return probeSaved(subject, saved, scene, *frame, *display);
   if (!place) place = worstBleeding(*frame, *suspectOf(subject.techniques));
   Taken taken = describe(probeScene(*frame, session, subject.techniques, *place), *frame, session);
   std::vector<PaneProbe> ofPanes;
@@ -286,42 +286,42 @@ void ProbeCommand::probePixel(const Workspace& workspace) const {
   finish(taken, session, display.get());
 }
 
-void ProbeCommand::probeKept(const Subject& subject, const std::vector<NamedProbe>& kept,
-                             const std::shared_ptr<const Scene>& scene, HeadlessFrame& frame,
-                             Display& display) const {
+void ProbeCommand::probeSaved(const Subject& subject, const std::vector<NamedProbe>& saved,
+                              const std::shared_ptr<const Scene>& scene, HeadlessFrame& frame,
+                              Display& display) const {
   const Session& session = subject.session;
   const auto byHand = receiver ? session.receiver : std::optional<double>();
-  auto probes = umbra::probeKept(frame, session, subject.techniques, kept, byHand);
+  auto probes = umbra::probeSaved(frame, session, subject.techniques, saved, byHand);
   const Json source = sourceToJson(shortNameOf(session.source), frame.depthMap());
-  std::vector<std::optional<Taken>> taken(kept.size());
-  for (std::size_t i = 0; i < kept.size(); ++i) {
+  std::vector<std::optional<Taken>> taken(saved.size());
+  for (std::size_t i = 0; i < saved.size(); ++i) {
     if (!probes[i].probe && !isTable())
       throw Error(ErrorKind::BadCommandLine,
-                  (named ? "--named: " : "keptProbe: ") + kept[i].name + ": " + probes[i].reason);
+                  (named ? "--named: " : "keptProbe: ") + saved[i].name + ": " + probes[i].reason);
     if (!probes[i].probe) continue;
     taken[i].emplace(describe(std::move(*probes[i].probe), frame, session));
-    if (named) taken[i]->json["name"] = kept[i].name;
+    if (named) taken[i]->json["name"] = saved[i].name;
   }
   // The panes come last, one after the other: each of them draws another frame.
-  std::vector<std::vector<PaneProbe>> ofPanes(kept.size());
+  std::vector<std::vector<PaneProbe>> ofPanes(saved.size());
   for (const Drawing& pane : subject.panes) {
-    std::vector<KeptSceneProbe> own(kept.size());
+    std::vector<SavedSceneProbe> own(saved.size());
     if (pane.refusal.empty()) {
       frame.show(scene, pane.session);
-      own = umbra::probeKept(frame, pane.session, {pane.technique}, kept, byHand);
+      own = umbra::probeSaved(frame, pane.session, {pane.technique}, saved, byHand);
     }
-    for (std::size_t i = 0; i < kept.size(); ++i)
+    for (std::size_t i = 0; i < saved.size(); ++i)
       ofPanes[i].push_back(probePane(pane, [&] {
         if (!own[i].probe) throw Error(ErrorKind::BadCommandLine, own[i].reason);
         return justTheProbe(describe(std::move(*own[i].probe), frame, pane.session));
       }));
   }
-  for (std::size_t i = 0; i < kept.size(); ++i)
+  for (std::size_t i = 0; i < saved.size(); ++i)
     if (taken[i]) addPanes(*taken[i], std::move(ofPanes[i]));
   if (!isTable()) return finish(*taken.front(), session, &display);
   std::vector<NamedResult> results;
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    NamedResult& result = results.emplace_back(NamedResult{kept[i], {}, {}, probes[i].reason, {}});
+  for (std::size_t i = 0; i < saved.size(); ++i) {
+    NamedResult& result = results.emplace_back(NamedResult{saved[i], {}, {}, probes[i].reason, {}});
     if (!taken[i]) continue;
     result.probe = std::move(taken[i]->probe);
     result.json = std::move(taken[i]->json);
@@ -358,8 +358,8 @@ void ProbeCommand::finishTable(const Json& source, const std::vector<NamedResult
   if (!folder) {
     print(namedText(results));
     for (const NamedResult& result : results) {
-      if (!result.panes.empty()) print("\n" + result.kept.name + "\n" + panesText(result.panes));
-      if (trace && result.probe) print("\n" + result.kept.name + "\n" + tracesText(*result.probe));
+      if (!result.panes.empty()) print("\n" + result.saved.name + "\n" + panesText(result.panes));
+      if (trace && result.probe) print("\n" + result.saved.name + "\n" + tracesText(*result.probe));
     }
     return;
   }

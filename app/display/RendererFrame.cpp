@@ -2,6 +2,8 @@
 
 #include <spdlog/spdlog.h>
 
+#include <utility>
+
 #include "analysis/errors/WorstPixel.h"
 #include "filters/gpu/HeadlessWindow.h"
 
@@ -9,7 +11,7 @@ namespace umbra {
 
 RendererFrame::RendererFrame(std::shared_ptr<const Scene> scene, const Session& session,
                              vtkSmartPointer<VtkMessages> messages)
-    : messages_(messages),
+    : messages_(std::move(messages)),
       window_(makeHeadlessWindow(session.width, session.height)),
       renderer_(*window_) {
   show(std::move(scene), session);

@@ -11,9 +11,9 @@ namespace umbra {
 namespace {
 
 SheetRow sheetRowOf(const NamedResult& result) {
-  SheetRow row{result.kept.name, {}, {}, result.reason};
-  if (const auto& point = result.kept.point) row.place = {point->x(), point->y(), point->z()};
-  if (const auto& texel = result.kept.texel) row.place = {double(texel->x), double(texel->y)};
+  SheetRow row{result.saved.name, {}, {}, result.reason};
+  if (const auto& point = result.saved.point) row.place = {point->x(), point->y(), point->z()};
+  if (const auto& texel = result.saved.texel) row.place = {double(texel->x), double(texel->y)};
   if (result.probe) row.figures = figuresOf(*result.probe, result.truth);
   return row;
 }
@@ -44,7 +44,7 @@ std::vector<NamedProbe> chosenProbes(const Session& session, const std::string& 
 Json namedToJson(const Json& source, const std::vector<NamedResult>& results) {
   Json probes = Json::array();
   for (const NamedResult& result : results) {
-    Json probe = {{"name", result.kept.name}};
+    Json probe = {{"name", result.saved.name}};
     if (!result.probe) probe["reason"] = result.reason;
     for (const auto& [key, value] : result.json.items())
       if (key != "format" && key != "source") probe[key] = value;
@@ -60,8 +60,8 @@ std::string namedText(const std::vector<NamedResult>& results) {
   std::vector<TableRow> rows{heading};
   std::string reasons;
   for (const NamedResult& result : results) {
-    TableRow& row = rows.emplace_back(TableRow{result.kept.name});
-    if (!result.probe) reasons += result.kept.name + ": " + result.reason + "\n";
+    TableRow& row = rows.emplace_back(TableRow{result.saved.name});
+    if (!result.probe) reasons += result.saved.name + ": " + result.reason + "\n";
     const std::optional<SheetFigures> figures = sheetRowOf(result).figures;
     row.push_back(figures ? shortNumber(figures->receiver) : "-");
     row.push_back(figures ? shortNumber(figures->reference) : "-");

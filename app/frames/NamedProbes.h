@@ -14,7 +14,7 @@
 namespace umbra {
 
 struct NamedResult {
-  NamedProbe kept;
+  NamedProbe saved;
   std::optional<Probe> probe;
   Json json;           // the JSON of a single probe; null without one
   std::string reason;  // why there is no probe

@@ -57,7 +57,7 @@ SceneProbe takeSceneProbe(HeadlessFrame& frame,
   return result;
 }
 
-struct KeptPlace {
+struct SavedPlace {
   SeenSurface seen;
   std::string reason;  // why there is none
 };
@@ -75,7 +75,7 @@ std::string reasonOf(NotRead why) {
 }
 
 // Where the last frame reads the surface at `point`.
-KeptPlace placeOf(HeadlessFrame& frame, const Eigen::Vector3d& point) {
+SavedPlace placeOf(HeadlessFrame& frame, const Eigen::Vector3d& point) {
   const auto drawn = frame.snapshot();
   const PictureView picture{drawn->camera, drawn->surfaces.width(), drawn->surfaces.height()};
   const auto spot = surfaceNear(*drawn->scene, point);
@@ -115,32 +115,32 @@ SceneProbe probeScene(HeadlessFrame& frame, const Session& session,
   return takeSceneProbe(frame, drawn, {pixel, surfaces}, session.receiver);
 }
 
-std::vector<KeptSceneProbe> probeKept(HeadlessFrame& frame, const Session& session,
-                                      const std::vector<std::shared_ptr<Technique>>& techniques,
-                                      const std::vector<NamedProbe>& kept,
-                                      const std::optional<double>& receiver) {
-  std::vector<KeptPlace> places(kept.size());
+std::vector<SavedSceneProbe> probeSaved(HeadlessFrame& frame, const Session& session,
+                                        const std::vector<std::shared_ptr<Technique>>& techniques,
+                                        const std::vector<NamedProbe>& saved,
+                                        const std::optional<double>& receiver) {
+  std::vector<SavedPlace> places(saved.size());
   std::vector<std::shared_ptr<const Technique>> drawn;
   for (const auto& technique : techniques) {
     throwIfCancelled();
     frame.render(*technique, ViewMode::Shaded);
     drawn.push_back(frame.snapshot()->technique);
-    for (std::size_t i = 0; i < kept.size(); ++i) {
+    for (std::size_t i = 0; i < saved.size(); ++i) {
       SeenSurface& seen = places[i].seen;
       if (technique == techniques.front())
-        places[i] = placeOf(frame, *kept[i].point);
+        places[i] = placeOf(frame, *saved[i].point);
       else if (!seen.surfaces.empty() && !seen.computed)
         seen.surfaces.push_back(surfaceOf(frame, session, seen.pixel));
     }
   }
-  std::vector<KeptSceneProbe> results;
-  for (std::size_t i = 0; i < kept.size(); ++i) {
+  std::vector<SavedSceneProbe> results;
+  for (std::size_t i = 0; i < saved.size(); ++i) {
     throwIfCancelled();
-    KeptSceneProbe& result = results.emplace_back();
+    SavedSceneProbe& result = results.emplace_back();
     result.reason = places[i].reason;
     if (result.reason.empty())
       result.probe =
-          takeSceneProbe(frame, drawn, places[i].seen, receiver ? receiver : kept[i].receiver);
+          takeSceneProbe(frame, drawn, places[i].seen, receiver ? receiver : saved[i].receiver);
   }
   return results;
 }

@@ -26,7 +26,7 @@ SceneProbe probeScene(HeadlessFrame& frame, const Session& session,
                       const std::vector<std::shared_ptr<Technique>>& techniques, Pixel pixel);
 
 // A saved probe of a scene, or one sentence that says why it cannot be read.
-struct KeptSceneProbe {
+struct SavedSceneProbe {
   std::optional<SceneProbe> probe;
   std::string reason;
 };
@@ -34,10 +34,10 @@ struct KeptSceneProbe {
 // Does the same for points. Where a pixel's middle shows the point, the probe has the read of that
 // pixel; elsewhere it has the read that such a pixel would have with nothing in front of the point.
 // `receiver` replaces each probe's own.
-std::vector<KeptSceneProbe> probeKept(HeadlessFrame& frame, const Session& session,
-                                      const std::vector<std::shared_ptr<Technique>>& techniques,
-                                      const std::vector<NamedProbe>& kept,
-                                      const std::optional<double>& receiver);
+std::vector<SavedSceneProbe> probeSaved(HeadlessFrame& frame, const Session& session,
+                                        const std::vector<std::shared_ptr<Technique>>& techniques,
+                                        const std::vector<NamedProbe>& saved,
+                                        const std::optional<double>& receiver);
 
 // The technique whose worst pixel is shown: VSM, which bleeds, where it is among `chosen`; else the
 // first one that is an upper bound, else the first.

@@ -53,7 +53,7 @@ StepResult measure(HeadlessFrame& frame, const Session& session, const Lesson& l
   for (const std::string& id : techniquesOf(lesson, step))
     techniques.push_back(techniqueOf(session, catalogue, id));
   const NamedProbe point{lessonProbe, lesson.steps[step].at, {}, session.receiver};
-  KeptSceneProbe probe = probeKept(frame, session, techniques, {point}, {}).front();
+  SavedSceneProbe probe = probeSaved(frame, session, techniques, {point}, {}).front();
   if (!probe.probe) throw Error(ErrorKind::BadInput, "at: " + probe.reason);
   StepResult result{std::move(*probe.probe), {}, {}};
   if (!result.probe.probe.refused.empty())

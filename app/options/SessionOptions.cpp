@@ -225,9 +225,11 @@ void SessionOptions::editParameters(Session& session, const TechniqueCatalogue& 
     const std::string id = name.substr(0, dot), parameter = name.substr(dot + 1);
     try {
       catalogue.make(id, "--set " + name);
-      umbra::editParameters(session, catalogue, id, [&](std::span<const Parameter> parameters) {
-        parameterNamed(parameters, parameter, "--set " + name).setFromText(text, "--set " + name);
-      });
+      umbra::editParameters(session, catalogue, id,
+                            [&, &name = name, &text = text](std::span<const Parameter> parameters) {
+                              parameterNamed(parameters, parameter, "--set " + name)
+                                  .setFromText(text, "--set " + name);
+                            });
     } catch (const Error& error) {
       // The value came from the command line, whatever reads values from files calls it.
       const bool prefixed = std::string_view(error.what()).starts_with("--set");
@@ -267,8 +269,9 @@ void SessionOptions::editSettings(Session& session, const Light& light,
   const std::vector<Setting> settings = settingsOf(session, light, camera);
   for (const auto& [info, text] : table_)
     if (text)
-      asOption(
-          [&] { settingNamed(settings, info.name, info.option).setFromText(*text, info.option); });
+      asOption([&, &info = info, &text = text] {
+        settingNamed(settings, info.name, info.option).setFromText(*text, info.option);
+      });
 }
 
 }  // namespace umbra

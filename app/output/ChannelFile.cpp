@@ -1,5 +1,7 @@
 #include "app/output/ChannelFile.h"
 
+#include <nlohmann/json.hpp>
+
 #include "datasets/session/SessionSettings.h"
 #include "datasets/session/file/SessionFile.h"
 

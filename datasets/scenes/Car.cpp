@@ -165,7 +165,7 @@ Scene carScene(const Values& values) {
   using namespace colours;
   Scene scene;
   const double lift = values.at("lift");
-  const auto place = [&](Mesh mesh) { return transformed(mesh, moved({0.0, lift, 0.0})); };
+  const auto place = [&](const Mesh& mesh) { return transformed(mesh, moved({0.0, lift, 0.0})); };
   const Wheels round = wheels();
   scene.objects = {object("body", place(body()), teal),
                    object("windows", place(windows()), iron),

@@ -50,7 +50,7 @@ std::string whyNotProbeName(const std::vector<NamedProbe>& probes, std::string_v
   return {};
 }
 
-void keepProbe(Session& session, NamedProbe probe) {
+void saveProbe(Session& session, NamedProbe probe) {
   if (session.probes.size() >= NamedProbe::most)
     throw Error(ErrorKind::BadInput, "there are " + std::to_string(NamedProbe::most) +
                                          " probes, which is as many as can be saved; delete one");

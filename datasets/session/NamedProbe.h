@@ -1,4 +1,4 @@
-// Probes that are kept: places under names, to be read again and compared.
+// Probes that are saved: places under names, to be read again and compared.
 #pragma once
 
 #include <Eigen/Core>
@@ -40,8 +40,8 @@ std::string freeProbeName(const std::vector<NamedProbe>& probes, const std::stri
 std::string whyNotProbeName(const std::vector<NamedProbe>& probes, std::string_view name);
 
 // All throw BadInput where it cannot be done: there are too many, or the name is not right.
-// The session's probe becomes the kept one: it is where it was.
-void keepProbe(Session& session, NamedProbe probe);
+// The session's probe becomes the saved one: it is where it was.
+void saveProbe(Session& session, NamedProbe probe);
 void renameProbe(Session& session, const std::string& from, const std::string& to);
 void dropProbe(Session& session, const std::string& name);
 

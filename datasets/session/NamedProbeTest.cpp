@@ -15,14 +15,14 @@ NamedProbe at(const std::string& name) {
 TEST(NamedProbe, ANameThatIsTakenIsCountedOn) {
   Session session;
   EXPECT_EQ(freeProbeName(session.probes, "Bench"), "Bench");
-  for (const char* name : {"Bench", "Bench 2", "Bench 4"}) keepProbe(session, at(name));
+  for (const char* name : {"Bench", "Bench 2", "Bench 4"}) saveProbe(session, at(name));
   EXPECT_EQ(freeProbeName(session.probes, "Bench"), "Bench 3");
 }
 
 TEST(NamedProbe, RenamingAndDroppingFollowTheOneTheProbeIsAt) {
   Session session;
-  keepProbe(session, at("a"));
-  keepProbe(session, at("b"));
+  saveProbe(session, at("a"));
+  saveProbe(session, at("b"));
   EXPECT_EQ(session.keptProbe, "b");
   renameProbe(session, "b", "c");
   EXPECT_EQ(session.keptProbe, "c");
@@ -38,9 +38,9 @@ TEST(NamedProbe, RenamingAndDroppingFollowTheOneTheProbeIsAt) {
 
 TEST(NamedProbe, WhatCannotBeKeptLeavesTheSessionAsItWas) {
   Session session;
-  for (std::size_t i = 1; i < NamedProbe::most; ++i) keepProbe(session, at(std::to_string(i)));
+  for (std::size_t i = 1; i < NamedProbe::most; ++i) saveProbe(session, at(std::to_string(i)));
   const Session before = session;
-  EXPECT_THROW(keepProbe(session, at("1")), Error);
+  EXPECT_THROW(saveProbe(session, at("1")), Error);
   EXPECT_THROW(renameProbe(session, "1", "2"), Error);
   EXPECT_THROW(renameProbe(session, "1", " "), Error);
   EXPECT_THROW(renameProbe(session, "x", "y"), Error);
@@ -48,8 +48,8 @@ TEST(NamedProbe, WhatCannotBeKeptLeavesTheSessionAsItWas) {
   EXPECT_EQ(session, before);
   renameProbe(session, "1", "1");  // to its own name is no clash
   EXPECT_EQ(session, before);
-  keepProbe(session, at("last"));
-  EXPECT_THROW(keepProbe(session, at("one more")), Error);
+  saveProbe(session, at("last"));
+  EXPECT_THROW(saveProbe(session, at("one more")), Error);
   EXPECT_EQ(session.probes.size(), NamedProbe::most);
 }
 

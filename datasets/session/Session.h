@@ -52,7 +52,7 @@ struct Session {
   int width = 1280, height = 720;  // of a rendered picture, pixels
   std::optional<Pixel> probe;
   std::optional<double> receiver;  // probe on a depth file: z_r; in the window, one dragged by hand
-  std::vector<NamedProbe> probes;  // that are kept, in the order of their table
+  std::vector<NamedProbe> probes;  // that are saved, in the order of their table
   std::string keptProbe;           // at which of them `probe` is; "" where at none
 
   bool operator==(const Session&) const = default;

@@ -156,7 +156,7 @@ class vtkUmbraHeadlessWindow : public vtkGenericOpenGLRenderWindow {
     this->SetFrameBlitModeToNoBlit();
   }
   ~vtkUmbraHeadlessWindow() override {
-    this->MakeCurrent();
+    this->vtkUmbraHeadlessWindow::MakeCurrent();
     this->Finalize();
   }
 

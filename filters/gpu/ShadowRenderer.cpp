@@ -76,6 +76,11 @@ class ShadowRenderer::Implementation {
     window.MakeCurrent();
   }
 
+  // Whether the last frames of both have the same depth maps, texel for texel.
+  bool hasMapsOf(const Implementation& other) const {
+    return drawnScene == other.drawnScene && pass->HasMapsOf(*other.pass);
+  }
+
   // World position of pixel (x, y), y up, at camera depth [0,1].
   Eigen::Vector3d unproject(int x, int y, double depth) const {
     int width = 0, height = 0, left = 0, bottom = 0;
@@ -97,6 +102,7 @@ class ShadowRenderer::Implementation {
   CascadeLines lines;
   std::shared_ptr<const Scene> scene;
   Light light;
+  std::shared_ptr<const Scene> drawnScene;  // in the last frame
   Camera drawnCamera;
   std::shared_ptr<const FrameSnapshot> snapshot;  // of the last frame, once asked for
 };
@@ -171,6 +177,7 @@ void ShadowRenderer::render() {
   my.renderer->ResetCameraClippingRange();
   my.window.Render();
   my.pass->RethrowError();
+  my.drawnScene = my.scene;
   my.drawnCamera = camera();
   if (!errors.messages().empty())
     throw Error(ErrorKind::WorkFailed, "VTK: " + errors.messages().front());
@@ -197,18 +204,21 @@ SurfaceImage ShadowRenderer::surfaces() {
   return {imageOf(shading.GetSurfaces()), imageOf(shading.GetFootprints())};
 }
 
-std::shared_ptr<const FrameSnapshot> ShadowRenderer::snapshot() {
+std::shared_ptr<const FrameSnapshot> ShadowRenderer::snapshot(ShadowRenderer* beside) {
   Implementation& my = *implementation_;
   my.requireFrame();
   if (my.snapshot) return my.snapshot;
+  const bool shared = beside && my.hasMapsOf(*beside->implementation_);
+  ShadowRenderer& mapped = shared ? *beside : *this;
   const auto snapshot = std::make_shared<FrameSnapshot>();
-  snapshot->scene = my.scene;
+  snapshot->scene = my.drawnScene;
   snapshot->camera = my.drawnCamera;
   snapshot->settings = my.pass->GetDrawnSettings();
   snapshot->light = lightFrame();
   snapshot->cascades = cascades();
   for (int i = 0; i < int(snapshot->cascades.size()); ++i)
-    snapshot->maps.push_back(sharedDepthMap(i));
+    snapshot->maps.push_back(mapped.sharedDepthMap(i));
+  my.window.MakeCurrent();
   snapshot->surfaces = surfaces();
   snapshot->technique = my.pass->GetDrawnTechnique();
   return my.snapshot = snapshot;

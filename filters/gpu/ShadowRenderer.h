@@ -76,8 +76,10 @@ class ShadowRenderer {
   // These read back the last frame and its bake. Pixel (0, 0) is the top-left one.
   Image<std::uint8_t> colour();  // RGB, as shown
   SurfaceImage surfaces();
-  // All that the last frame left. It is made once for each frame, when it is first asked for.
-  std::shared_ptr<const FrameSnapshot> snapshot();
+  // All that the last frame left. It is made once for each frame, when it is first asked for. Where
+  // the last frame of `beside` has the same depth maps, the snapshot shares them with that
+  // renderer, so that they are read back once for both.
+  std::shared_ptr<const FrameSnapshot> snapshot(ShadowRenderer* beside = nullptr);
   // One pixel's, with its place in the world; none outside the picture and without a surface.
   std::optional<SurfacePoint> surfaceAt(int x, int y);
   // Exact percentage-closer filtering of every pixel of the last frame over the region that the

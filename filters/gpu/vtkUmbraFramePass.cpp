@@ -12,6 +12,7 @@
 #include <vtkRenderState.h>
 #include <vtkRenderer.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "FullScreen_vert_glsl.h"
@@ -51,11 +52,6 @@ int viewNumber(ViewMode view, const Technique& technique) {
       return 5;
   }
   return 0;
-}
-
-bool sameFrame(const LightFrame& a, const LightFrame& b) {
-  return a.kind == b.kind && a.worldToLight == b.worldToLight && a.lightToClip == b.lightToClip &&
-         a.nearDistance == b.nearDistance && a.farDistance == b.farDistance;
 }
 
 // A summed-area table averages the kernel's box by itself, so nothing is prefiltered.
@@ -243,7 +239,7 @@ void vtkUmbraFramePass::BakeDepth(const vtkRenderState* state) {
   }
   std::vector<std::size_t> stale;
   for (std::size_t i = 0; i < count; ++i)
-    if (i >= this->Drawn.size() || !sameFrame(this->Drawn[i], this->Cascades[i].frame))
+    if (i >= this->Drawn.size() || !drawSameDepths(this->Drawn[i], this->Cascades[i].frame))
       stale.push_back(i);
   if (stale.empty()) return;
   const gl::PassTimer::Scope time(this->Timer, "depth");
@@ -353,6 +349,17 @@ std::shared_ptr<const DepthMap> vtkUmbraFramePass::GetDepthMap(int cascade) {
   std::shared_ptr<const DepthMap>& map = this->DepthValues.at(std::size_t(cascade));
   if (!map) map = std::make_shared<const DepthMap>(this->Baker.readDepth(cascade));
   return map;
+}
+
+bool vtkUmbraFramePass::HasMapsOf(const vtkUmbraFramePass& other) const {
+  if (!this->HasFrame() || !other.HasFrame()) return false;
+  // Cascades are told apart by the frames that they were drawn from.
+  FrameSettings settings = this->DrawnSettings;
+  settings.map.cascades = other.DrawnSettings.map.cascades;
+  return firstStaleStage(settings, other.DrawnSettings) != Stage::Depth &&
+         this->Baker.samples() == other.Baker.samples() &&
+         std::equal(this->Drawn.begin(), this->Drawn.end(), other.Drawn.begin(), other.Drawn.end(),
+                    drawSameDepths);
 }
 
 MapReads vtkUmbraFramePass::Reads() const {

@@ -74,6 +74,8 @@ class vtkUmbraFramePass : public vtkRenderPass {
   // These two describe the last frame; HasFrame() says whether there is one.
   const FrameSettings& GetDrawnSettings() const { return this->DrawnSettings; }
   std::shared_ptr<const Technique> GetDrawnTechnique() const { return this->Adapted->clone(); }
+  // Whether the last frames of both have depth maps that were drawn alike, if they drew one scene.
+  bool HasMapsOf(const vtkUmbraFramePass& other) const;
   // Read back once per bake: equal pointers mean that nothing was drawn anew between them.
   std::shared_ptr<const DepthMap> GetDepthMap(int cascade = 0);
   // Two floats a pixel, bottom row first: visibility and reference.

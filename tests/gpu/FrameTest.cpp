@@ -217,6 +217,59 @@ TEST_F(Frame, AnotherRendererMayFollowInTheSameWindow) {
   EXPECT_EQ(renderer->colour(), first);
 }
 
+// The second renderer has a context of its own, as those of the window's panes have.
+TEST_F(Frame, SnapshotsShareTheDepthMapsThatAreTheSame) {
+  const auto scene = test::slabAndBall();
+  settings.map.size = 128;
+  settings.map.cascades.count = 2;
+  show(scene, "vsm");
+  const auto first = renderer->snapshot();
+  const vtkSmartPointer<vtkRenderWindow> other = makeHeadlessWindow(width, height);
+  std::optional<ShadowRenderer> pane(std::in_place, *other);
+  pane->setScene(scene);
+  pane->setTechnique(*allTechniques().make("msm"));
+  FrameSettings its = settings;
+  its.bias.constant *= 2.0;
+  Light light = scene->light;
+  Camera camera = scene->camera;
+  const auto shared = [&] {
+    pane->setLight(light);
+    pane->setCamera(camera);
+    pane->setFrame(its);
+    pane->render();
+    const auto snapshot = pane->snapshot(&*renderer);
+    EXPECT_EQ(snapshot->surfaces, pane->surfaces());
+    EXPECT_EQ(snapshot->maps.size(), snapshot->cascades.size());
+    for (int i = 0; i < int(snapshot->maps.size()); ++i)
+      EXPECT_EQ(*snapshot->maps[i], pane->depthMap(i)) << "shared or not, they are its own depths";
+    return snapshot->maps == first->maps;
+  };
+  EXPECT_TRUE(shared()) << "another technique and bias";
+  its.map.format = StorageFormat::Half;
+  EXPECT_TRUE(shared()) << "depths are kept in floats whatever the channels are";
+
+  camera.position = 0.5 * (camera.position + camera.target);
+  EXPECT_FALSE(shared()) << "cascades follow the camera";
+  camera = scene->camera;
+  light.position.x() -= 1.0;
+  EXPECT_FALSE(shared());
+  light = scene->light;
+  for (const auto change : {+[](FrameSettings& s) { s.map.size = 64; },
+                            // The windows of cascades hold what the filter reaches.
+                            +[](FrameSettings& s) { s.kernel.radius += 2; },
+                            +[](FrameSettings& s) { s.map.cascades.count = 1; },
+                            +[](FrameSettings& s) { s.bias.cullFrontFaces = true; }}) {
+    const FrameSettings before = its;
+    change(its);
+    EXPECT_FALSE(shared());
+    its = before;
+  }
+  EXPECT_TRUE(shared());
+  pane->setScene(test::slabOverGround());
+  EXPECT_FALSE(shared());
+  pane.reset();
+}
+
 TEST_F(Frame, ReadingBackBeforeAFrameIsAnError) {
   ShadowRenderer empty(*window);
   EXPECT_THROW(empty.surfaces(), Error);

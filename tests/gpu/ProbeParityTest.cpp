@@ -1,11 +1,10 @@
 // What a probe computes against what the shaded frame used at its pixel, for every technique and
 // every way to read the map.
 #include "analysis/frame/FrameReads.h"
-#include "filters/core/prefilter/Prefilter.h"
 #include "filters/core/support/Error.h"
 #include "filters/core/technique/Composition.h"
 #include "tests/gpu/FrameFixture.h"
-#include "tests/gpu/SatBound.h"
+#include "tests/gpu/ProbeBound.h"
 #include "tests/properties/Draws.h"
 
 namespace umbra {
@@ -31,33 +30,8 @@ class ProbeParity : public test::FrameFixture, public testing::WithParamInterfac
     return request;
   }
 
-  // How far the probe's visibility may be from the frame's.
-  double toleranceAt(const ProbeRequest& request, const Probe& probe,
-                     const test::VisibilityBound& bound, const test::SatBound& sums) const {
-    const ReadPoint& read = request.read;
-    const Fetch fetch{probe.techniques.front().channels, probe.region};
-    const auto visibility = [&](const ReadPoint& at) {
-      ProbeRequest moved = request;
-      moved.read = at;
-      return takeProbe(moved).techniques.front().visibility;
-    };
-    const double place = test::readError(visibility, read);
-    // Sums along both axes of a region, each as long as it has texels there.
-    const double summing =
-        2 * (4 * std::hypot(read.footprint.x, read.footprint.y) + 32) * test::eps;
-    if (!probed->info().prefilterable) return bound(fetch, request.receiver) + summing + place;
-    if (read.filter == ReadFilter::SummedArea)
-      return bound(fetch, request.receiver, 0, sums(request.satPrecision, read)) + place;
-    // Roundings of the blur along two axes, of three for each of up to seven levels, of the mixes.
-    const int reading =
-        2 * (2 * settings.kernel.radius + 3) + 3 * 7 + 12 + read.footprint.probes + 2;
-    return bound(fetch, request.receiver, reading) + place;
-  }
-
   void compareFrame() {
-    const test::VisibilityBound bound(*probed, settings.map.format);
-    const test::SatBound sums(*probed, settings.map.format,
-                              encodeMap(renderer->depthMap(), *probed, settings.map.format));
+    const test::ProbeBound bound(*probed, settings, renderer->depthMap());
     int compared = 0, sharp = 0, shadowed = 0;
     for (int y = 0; y < height; y += 7) {
       for (int x = 0; x < width; x += 7) {
@@ -67,7 +41,7 @@ class ProbeParity : public test::FrameFixture, public testing::WithParamInterfac
         const ProbeRequest request = requestAt(*surface);
         const Probe probe = takeProbe(request);
         ASSERT_EQ(probe.techniques.size(), 1u);
-        const double tolerance = toleranceAt(request, probe, bound, sums);
+        const double tolerance = bound(request, probe);
         ASSERT_NEAR(surface->visibility, probe.techniques.front().visibility, tolerance)
             << "pixel " << x << "," << y;
         ++compared;

@@ -189,7 +189,8 @@ void ComparisonTest::aDepthFileTakesThePlaceOfPanes() {
   writeExr(file.toStdString(), {{"Z", Image<float>(24, 16, 1, 0.5F)}}, {});
   // This session has a probe from the start, and settings that no pane has.
   Session session;
-  session.source = {SourceKind::DepthFile, file.toStdString(), {}, 0.0, 1.0, {}};
+  session.source.kind = SourceKind::DepthFile;
+  session.source.name = file.toStdString();
   session.frame.kernel.radius = 8;
   session.probe = Pixel{12, 8};
   const QString saved = folder_.filePath("beside-panes.json");

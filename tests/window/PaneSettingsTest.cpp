@@ -9,6 +9,7 @@
 #include "ui/panes/ComparisonPanes.h"
 #include "ui/panes/PaneHeader.h"
 #include "ui/panes/PaneMenu.h"
+#include "ui/panes/PanePictures.h"
 #include "ui/picture/SceneView.h"
 #include "ui/picture/TechniquePicture.h"
 #include "ui/probe/Prober.h"
@@ -49,6 +50,7 @@ class PaneSettingsTest : public WindowFixture {
   void aDuplicateIsDrawnWithItsOwnSettings();
   void anotherPaneBringsItsSettingsToTheControls();
   void aPanesErrorIsOfItsOwnSettings();
+  void panesShareTheLiveViewsDepthMap();
   void aPanesMenuSharesAndCloses();
   void whatPanesShowIsKept();
   void panesWithSettingsAreSavedAndOpened();
@@ -147,6 +149,31 @@ void PaneSettingsTest::aPanesErrorIsOfItsOwnSettings() {
   QVERIFY(std::abs(errorOf(1) - own) < rounding);
   QVERIFY(std::abs(errorOf(0) - linked) < rounding);
   QVERIFY(panes.figures(1)->footprint.empty());
+}
+
+// What a pane is probed in is a frame of its own, but for the depths where the live view has them.
+void PaneSettingsTest::panesShareTheLiveViewsDepthMap() {
+  Workspace workspace = comparing(ComparisonMode::Grid, {"vsm", "vsm", "vsm"});
+  for (std::size_t pane : {1, 2}) setLinked(workspace, pane, false);
+  workspace.comparison.panes[1].own.values["kernel.radius"] = 14;
+  workspace.comparison.panes[2].own.values["map.size"] = 512;
+  MainWindow& window = open(workspace);
+  window.resize(1650, 900);  // labels of one line, which leave the pictures their size
+  settlePanes();
+  const auto* pictures = window.findChild<PanePictures*>();
+  const auto frameOf = [&](std::size_t pane) { return pictures->current(pane)->frame; };
+  const auto live = window.view().lastFrame()->sharedDepthMap();
+  QCOMPARE(frameOf(1)->settings.kernel.radius, 14);
+  QVERIFY(frameOf(1)->maps.front() == live);
+  QVERIFY(frameOf(2)->maps.front() != live);
+  QCOMPARE(frameOf(2)->maps.front()->width(), 512);
+  // Another map in the live view leaves the pane the one that its frame was drawn with.
+  const auto before = frameOf(1);
+  window.controller().edit("Smaller map", [](Session& s) { s.frame.map.size = 256; });
+  settlePanes();
+  QCOMPARE(window.view().lastFrame()->depthMap().width(), 256);
+  QVERIFY(frameOf(1) == before);
+  QCOMPARE(before->maps.front()->width(), 1024);
 }
 
 void PaneSettingsTest::aPanesMenuSharesAndCloses() {

@@ -145,7 +145,7 @@ void ComparisonPanes::refreshFigures() {
     figures_[i].reset();
     if (i >= shown_.size()) continue;
     if (probed)
-      figures_[i] = figuresOf(shown_[i], pictures_->current(i).get(), *report, controller_, view_);
+      figures_[i] = figuresOf(shown_[i], pictures_->current(i).get(), *report, controller_);
     headers_[i]->setError(figures_[i] ? std::optional(figures_[i]->result.error) : std::nullopt);
   }
   emit figuresChanged();

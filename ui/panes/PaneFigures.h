@@ -12,7 +12,6 @@ namespace umbra {
 struct DrawnPane;
 struct ProbeReport;
 struct ShownPane;
-class SceneView;
 class SessionController;
 
 struct PaneFigures {
@@ -27,7 +26,7 @@ struct PaneFigures {
 // same settings, else those that the pane's picture gives; none without a picture (null), and where
 // the point is not in sight.
 std::optional<PaneFigures> figuresOf(const ShownPane& pane, const DrawnPane* drawn,
-                                     const ProbeReport& report, const SessionController& controller,
-                                     SceneView& view);
+                                     const ProbeReport& report,
+                                     const SessionController& controller);
 
 }  // namespace umbra

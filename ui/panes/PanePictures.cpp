@@ -18,7 +18,7 @@ constexpr std::size_t kept = Comparison::most + 2;
 }  // namespace
 
 PanePictures::PanePictures(const ShownPanes& shown, const SessionController& controller,
-                           const SceneView& view, QObject* parent)
+                           SceneView& view, QObject* parent)
     : QObject(parent),
       shown_(shown),
       controller_(controller),
@@ -42,16 +42,14 @@ PanePictures::Picture PanePictures::current(std::size_t pane) const {
   const PictureSubject wanted = subject(pane);
   for (const Picture& drawn : recent_)
     if (drawn->subject == wanted && sameSettings(*drawn->technique, *shown_[pane].technique))
-      return drawn->picture.isNull() || drawn->kept >= neededEvidence(pane) ? drawn : nullptr;
+      return drawn->picture.isNull() || drawn->frame || !needsFrame(pane) ? drawn : nullptr;
   return nullptr;
 }
 
-// What must be kept so that the pane can be probed: nothing where the live view's report tells what
-// it shows, and no maps where the live view has the same ones.
-KeptEvidence PanePictures::neededEvidence(std::size_t pane) const {
-  if (isSetAsActive(shown_[pane], controller_)) return KeptEvidence::None;
-  return sameMap(shown_[pane].session.frame, controller_.session().frame) ? KeptEvidence::Surfaces
-                                                                          : KeptEvidence::Maps;
+// Whether the pane is probed in a frame of its own: where it is set as the active one, the live
+// view's report tells what it shows.
+bool PanePictures::needsFrame(std::size_t pane) const {
+  return !isSetAsActive(shown_[pane], controller_);
 }
 
 std::vector<std::size_t> PanePictures::outOfDate() const {
@@ -114,13 +112,12 @@ void PanePictures::keep(const Picture& picture) {
 PanePictures::Picture PanePictures::draw(std::size_t pane) {
   const ShownPane& shown = shown_[pane];
   auto drawn = std::make_shared<DrawnPane>(
-      DrawnPane{subject(pane), shown.technique, {}, {}, neededEvidence(pane), shown.refusal});
+      DrawnPane{subject(pane), shown.technique, {}, nullptr, shown.refusal});
   if (!drawn->problem.isEmpty()) return drawn;
   try {
     if (!renderer_) renderer_ = std::make_unique<TechniquePictures>();
-    TechniqueDrawing drawing = renderer_->draw(drawn->subject, *drawn->technique, drawn->kept);
-    drawn->picture = std::move(drawing.picture);
-    drawn->evidence = std::move(drawing.evidence);
+    drawn->picture = renderer_->draw(drawn->subject, *drawn->technique);
+    if (needsFrame(pane)) drawn->frame = renderer_->snapshot(view_.lastFrame());
     drawn->picture.setDevicePixelRatio(view_.devicePixelRatioF());
   } catch (const std::exception& problem) {
     drawn->problem = QString::fromUtf8(problem.what());

@@ -18,8 +18,8 @@ struct DrawnPane {
   PictureSubject subject;
   std::shared_ptr<const Technique> technique;
   QImage picture;
-  FrameEvidence evidence;
-  KeptEvidence kept = KeptEvidence::None;
+  // What the picture's frame left; null where the live view's report told what it shows.
+  std::shared_ptr<const FrameSnapshot> frame;
   QString problem;  // why there is no picture
 };
 
@@ -32,7 +32,7 @@ class PanePictures : public QObject {
   using Picture = std::shared_ptr<const DrawnPane>;
 
   // `shown` is read at every call, and must live as long.
-  PanePictures(const ShownPanes& shown, const SessionController& controller, const SceneView& view,
+  PanePictures(const ShownPanes& shown, const SessionController& controller, SceneView& view,
                QObject* parent = nullptr);
   ~PanePictures() override;
 
@@ -58,11 +58,11 @@ class PanePictures : public QObject {
   void keep(const Picture& picture);
   std::vector<std::size_t> outOfDate() const;
   PictureSubject subject(std::size_t pane) const;
-  KeptEvidence neededEvidence(std::size_t pane) const;
+  bool needsFrame(std::size_t pane) const;
 
   const ShownPanes& shown_;
   const SessionController& controller_;
-  const SceneView& view_;
+  SceneView& view_;
   std::vector<Picture> recent_;                  // the newest first
   std::vector<Picture> latest_;                  // by pane: what it showed last
   std::unique_ptr<TechniquePictures> renderer_;  // made with the first picture

@@ -1,4 +1,4 @@
-// Kept probes over the picture: a numbered disc at each, its name beside it.
+// Saved probes over the picture: a numbered disc at each, its name beside it.
 #pragma once
 
 #include <Eigen/Core>

@@ -67,7 +67,7 @@ void SceneOverlay::paintEvent(QPaintEvent*) {
   drawRay(painter);
   drawPatch(painter);
   drawSun(painter);
-  drawKept(painter);
+  drawSaved(painter);
   drawFigures(painter);
   drawHint(painter);
   drawFrame(painter);
@@ -166,7 +166,7 @@ void SceneOverlay::drawSun(QPainter& painter) const {
   painter.drawEllipse(*centre, radius, radius);
 }
 
-void SceneOverlay::drawKept(QPainter& painter) const {
+void SceneOverlay::drawSaved(QPainter& painter) const {
   std::vector<QRectF> avoid;
   if (const auto figures = figuresPlace()) avoid.push_back(*figures);
   if (const auto sun = handle_.position())

@@ -26,7 +26,7 @@ class SceneOverlay : public QWidget {
     std::optional<ProbeReport> report;
     QString heading, verdict;      // the two lines beside the probe; empty leaves them out
     bool wrong = false;            // the verdict is an error
-    std::vector<ProbeMark> marks;  // of the kept probes
+    std::vector<ProbeMark> marks;  // of the saved probes
     QString hint;                  // one sentence at the bottom; empty for none
     QPolygonF selection;           // a closed outline, widget points; empty for none
     // Beneath all this, another picture from `curtainAt` (0 … 1) of the width on to the right, or
@@ -53,7 +53,7 @@ class SceneOverlay : public QWidget {
   void drawSun(QPainter& painter) const;
   std::optional<QRectF> figuresPlace() const;
   void drawFigures(QPainter& painter) const;
-  void drawKept(QPainter& painter) const;
+  void drawSaved(QPainter& painter) const;
   void drawHint(QPainter& painter) const;
   void drawFrame(QPainter& painter) const;
 

@@ -31,7 +31,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void setReport(const std::optional<ProbeReport>& report, const QString& heading,
                  const QString& verdict, bool wrong);
   void setHint(const QString& hint);
-  void setMarks(std::vector<ProbeMark> marks);  // of the kept probes
+  void setMarks(std::vector<ProbeMark> marks);  // of the saved probes
   // Another picture over the part of this one to the right of `at` of its width (0 … 1), or to the
   // left of it; `instead` is said there where there is none. Both empty show this one alone.
   void setCurtain(const QImage& picture, double at, const QString& instead, bool left);

@@ -86,8 +86,7 @@ void TechniquePictures::makeCurrent() {
   context_->makeCurrent(surface_.get());
 }
 
-TechniqueDrawing TechniquePictures::draw(const PictureSubject& subject, const Technique& technique,
-                                         KeptEvidence kept) {
+QImage TechniquePictures::draw(const PictureSubject& subject, const Technique& technique) {
   const CurrentContext before;
   makeCurrent();
   const bool newScene = subject.scene != drawn_.scene;
@@ -102,19 +101,13 @@ TechniqueDrawing TechniquePictures::draw(const PictureSubject& subject, const Te
   const Image<std::uint8_t> colour = renderer_->colour();
   const QImage picture(colour.values().data(), colour.width(), colour.height(), colour.width() * 3,
                        QImage::Format_RGB888);
-  return {picture.copy(), evidence(technique, kept)};
+  return picture.copy();
 }
 
-FrameEvidence TechniquePictures::evidence(const Technique& technique, KeptEvidence kept) {
-  if (kept == KeptEvidence::None) return {};
-  FrameEvidence evidence{renderer_->surfaces(), renderer_->cascades(), {}, nullptr};
-  for (int i = 0; kept == KeptEvidence::Maps && i < int(evidence.cascades.size()); ++i)
-    evidence.maps.push_back(renderer_->depthMap(i));
-  std::shared_ptr<Technique> adapted = technique.clone();
-  if (const std::vector<double> splits = renderer_->adaptedSplits(); !splits.empty())
-    adapted->setAdaptedSplits(splits);
-  evidence.technique = std::move(adapted);
-  return evidence;
+std::shared_ptr<const FrameSnapshot> TechniquePictures::snapshot(ShadowRenderer* live) {
+  const CurrentContext before;
+  makeCurrent();
+  return renderer_->snapshot(live);
 }
 
 }  // namespace umbra

@@ -7,11 +7,11 @@
 #include <QSize>
 #include <memory>
 
+#include "filters/core/frame/FrameSnapshot.h"
 #include "filters/core/scene/Light.h"
 #include "filters/core/scene/Scene.h"
 #include "filters/core/settings/FrameSettings.h"
 #include "filters/core/technique/Technique.h"
-#include "ui/picture/FrameEvidence.h"
 
 class QOffscreenSurface;
 class QOpenGLContext;
@@ -33,14 +33,6 @@ struct PictureSubject {
   bool operator==(const PictureSubject&) const = default;
 };
 
-// What is kept of a frame: nothing, what its pixels read, or the maps that they read as well.
-enum class KeptEvidence { None, Surfaces, Maps };
-
-struct TechniqueDrawing {
-  QImage picture;
-  FrameEvidence evidence;  // empty images where none is kept
-};
-
 // Has an OpenGL context of its own: what the screen's frame knows of its pixels stays.
 class TechniquePictures {
  public:
@@ -51,12 +43,13 @@ class TechniquePictures {
   TechniquePictures& operator=(const TechniquePictures&) = delete;
 
   // Splits that follow the map are at rest. Throws as ShadowRenderer::render does.
-  TechniqueDrawing draw(const PictureSubject& subject, const Technique& technique,
-                        KeptEvidence kept);
+  QImage draw(const PictureSubject& subject, const Technique& technique);
+  // What the last picture's frame left. Depth maps that the last frame of `live` (may be null) has
+  // as well are shared with it.
+  std::shared_ptr<const FrameSnapshot> snapshot(ShadowRenderer* live);
 
  private:
   void makeCurrent();
-  FrameEvidence evidence(const Technique& technique, KeptEvidence kept);
 
   std::unique_ptr<QOffscreenSurface> surface_;
   std::unique_ptr<QOpenGLContext> context_;

@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QStringList>
+#include <memory>
 #include <vector>
 
 #include "filters/core/maps/Image.h"

@@ -34,10 +34,10 @@ Prober::Prober(SessionController& controller, SceneView& view, QObject* parent)
 
 void Prober::sessionChanged(const Document& before, const Document& after) {
   const bool moved = !(before.session.probe == after.session.probe);
-  const NamedProbe* kept = keptProbe();
-  if (kept && kept->point && !(held_ && held_->point() == *kept->point))
-    holdPoint(kept->point);
-  else if (moved && !kept && after.session.probe)
+  const NamedProbe* saved = savedProbe();
+  if (saved && saved->point && !(held_ && held_->point() == *saved->point))
+    holdPoint(saved->point);
+  else if (moved && !saved && after.session.probe)
     held_.reset();
   if (!(before.content == after.content)) {
     hover_.reset();
@@ -50,7 +50,7 @@ void Prober::sessionChanged(const Document& before, const Document& after) {
 }
 
 // Returns the saved probe that the session's probe is at; null where it is at none.
-const NamedProbe* Prober::keptProbe() const {
+const NamedProbe* Prober::savedProbe() const {
   const Session& session = controller_.session();
   return session.probe ? probeNamed(session.probes, session.keptProbe) : nullptr;
 }
@@ -214,8 +214,8 @@ std::optional<SurfacePlace> Prober::currentPlace() {
   if (!view_.lastFrame()) return std::nullopt;
   const Document& document = controller_.document();
   const Session& session = document.session;
-  const NamedProbe* kept = keptProbe();
-  if (!held_ && kept && kept->point) held_.emplace(*kept->point);
+  const NamedProbe* saved = savedProbe();
+  if (!held_ && saved && saved->point) held_.emplace(*saved->point);
   if (!session.probe || !held_) {
     const Pixel pixel =
         session.probe ? scaledPixel(*session.probe, session, view_.pixels()) : *hover_;

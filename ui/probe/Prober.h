@@ -47,7 +47,7 @@ class Prober : public QObject {
   void pinWorstBleeding();
   void startAtWorstBleeding();  // the same, but no step: nobody has done anything yet
   // Within an edit: the probe is at this pixel of the present picture, or this texel, and at none
-  // that is kept.
+  // that is saved.
   void place(Session& session, const Pixel& at) const;
   // Gives the session the pixel that shows the pinned point now, so that undo finds it again:
   // before the probe goes elsewhere.
@@ -69,7 +69,7 @@ class Prober : public QObject {
     std::vector<std::shared_ptr<const Technique>> techniques;
     std::optional<Pixel> pinned, hovered;
     std::optional<Eigen::Vector3d> held;
-    std::string kept;
+    std::string saved;
     std::optional<double> receiver;
     bool drawn = false;  // whether there is a frame; it was drawn from here
     Baked baked;
@@ -84,7 +84,7 @@ class Prober : public QObject {
   std::optional<Pixel> findWorstBleeding();
   std::optional<ProbeReport> take();
   std::optional<SurfacePlace> currentPlace();
-  const NamedProbe* keptProbe() const;
+  const NamedProbe* savedProbe() const;
   void sessionChanged(const Document& before, const Document& after);
 
   SessionController& controller_;

@@ -7,10 +7,10 @@
 #include "ui/picture/ProbeMarks.h"
 #include "ui/picture/SceneView.h"
 #include "ui/probe/EvidencePanes.h"
-#include "ui/probe/KeptProbes.h"
-#include "ui/probe/KeptProbesPane.h"
 #include "ui/probe/Prober.h"
 #include "ui/probe/ReductionTools.h"
+#include "ui/probe/SavedProbes.h"
+#include "ui/probe/SavedProbesPane.h"
 #include "ui/widgets/base/Style.h"
 #include "ui/window/CentrePane.h"
 #include "ui/window/ControlPane.h"
@@ -40,8 +40,8 @@ MainWindow::MainWindow(const Workspace& workspace, QWidget* parent)
       evidence_(new EvidencePanes(controller_, *view_, *prober_, this)),
       controls_(new ControlPane(controller_, *prober_, *view_)),
       centre_(new CentrePane(controller_, *view_, *prober_)),
-      kept_(new KeptProbes(controller_, *view_, *prober_, this)),
-      keptPane_(new KeptProbesPane(*kept_, controller_, *prober_)),
+      saved_(new SavedProbes(controller_, *view_, *prober_, this)),
+      savedPane_(new SavedProbesPane(*saved_, controller_, *prober_)),
       lessons_(new LessonController(controller_, *prober_, this)) {
   setObjectName("umbrascope");
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
@@ -53,11 +53,11 @@ MainWindow::MainWindow(const Workspace& workspace, QWidget* parent)
   status_ = new StatusLine(*statusBar(), controller_, *view_);
   connectMessages();
   connect(&controller_, &SessionController::changed, this, &MainWindow::showTitle);
-  connect(kept_, &KeptProbes::changed, this, [this] { view_->setMarks(kept_->marks()); });
+  connect(saved_, &SavedProbes::changed, this, [this] { view_->setMarks(saved_->marks()); });
   connect(files_, &FileActions::lessonOpened, visit_, &LessonVisit::enter);
   connect(visit_, &LessonVisit::left, presenter_, &SessionPresenter::keepProbe);
   showTitle();
-  view_->setMarks(kept_->marks());
+  view_->setMarks(saved_->marks());
   presenter_->start();
 }
 
@@ -69,19 +69,19 @@ MainWindow::~MainWindow() {
 
 void MainWindow::makeDocks() {
   watched_ = new WatchedPanes(controller_, *view_, *prober_, *evidence_, this);
-  docks_ = new WindowDocks(*this, *controls_, *evidence_, *keptPane_, *watched_);
+  docks_ = new WindowDocks(*this, *controls_, *evidence_, *savedPane_, *watched_);
   visit_ = new LessonVisit(*this, *docks_, controller_, *view_, *prober_, *lessons_);
 }
 
 void MainWindow::makeFileActions() {
   dialogs_ = new FileDialogs(*this);
   files_ = new FileActions(*dialogs_, controller_, *view_, *prober_, centre_->comparison(), this);
-  tables_ = new TableExport(*dialogs_, *prober_, evidence_->table(), *keptPane_, this);
+  tables_ = new TableExport(*dialogs_, *prober_, evidence_->table(), *savedPane_, this);
   bleeding_ = new BleedingExport(*this, *dialogs_, controller_, *view_, *prober_);
 }
 
 void MainWindow::makeMenus() {
-  auto* menus = new WindowMenus(*this, {controller_, *prober_, *kept_, *evidence_, *files_,
+  auto* menus = new WindowMenus(*this, {controller_, *prober_, *saved_, *evidence_, *files_,
                                         *tables_, *bleeding_, *docks_, *lessons_, *visit_});
   addToolBar(new WindowToolBar(controller_, *menus, this));
 }
@@ -110,7 +110,7 @@ void MainWindow::connectMessages() {
     connect(part, &Part::message, status_, &StatusLine::showMessage);
   };
   showMessagesOf(evidence_);
-  showMessagesOf(kept_);
+  showMessagesOf(saved_);
   showMessagesOf(watched_);
   showMessagesOf(dialogs_);
   showMessagesOf(bleeding_);

@@ -17,8 +17,8 @@ class ControlPane;
 class EvidencePanes;
 class FileActions;
 class FileDialogs;
-class KeptProbes;
-class KeptProbesPane;
+class SavedProbes;
+class SavedProbesPane;
 class LessonController;
 class LessonPane;
 class LessonVisit;
@@ -46,8 +46,8 @@ class MainWindow : public QMainWindow {
   EvidencePanes& evidence() { return *evidence_; }
   ControlPane& controls() { return *controls_; }
   CentrePane& centre() { return *centre_; }
-  KeptProbes& keptProbes() { return *kept_; }
-  KeptProbesPane& keptProbesPane() { return *keptPane_; }
+  SavedProbes& savedProbes() { return *saved_; }
+  SavedProbesPane& savedProbesPane() { return *savedPane_; }
   LessonController& lessons() { return *lessons_; }
   LessonPane& lessonPane();
   SurfaceExport& surfaces();
@@ -86,8 +86,8 @@ class MainWindow : public QMainWindow {
   EvidencePanes* evidence_;
   ControlPane* controls_;
   CentrePane* centre_;
-  KeptProbes* kept_;
-  KeptProbesPane* keptPane_;
+  SavedProbes* saved_;
+  SavedProbesPane* savedPane_;
   LessonController* lessons_;
   WatchedPanes* watched_ = nullptr;
   WindowDocks* docks_ = nullptr;

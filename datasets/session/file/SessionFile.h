@@ -27,7 +27,7 @@
 //
 // Every key but "format" may be absent and then has its default; "light" and "camera" absent means
 // the scene's own, "frozen" absent that the cascades follow the camera.
-// A saved session has "compare" once something was compared, "probes" once one was kept, and
+// A saved session has "compare" once something was compared, "probes" once one was saved, and
 // "keptProbe" while "probe" is at one of them. A pane may have of its own what "parameters" has for
 // its technique and what "frame" has, but "view"; "parameters" and "frame" are what panes share.
 // One pane is active: the first of the session's technique where none says so.

@@ -1,4 +1,4 @@
-// The part of a session's file that holds the probes that are kept: see SessionFile.h.
+// The part of a session's file that holds the saved probes: see SessionFile.h.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

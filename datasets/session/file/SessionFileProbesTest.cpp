@@ -5,7 +5,7 @@
 namespace umbra {
 namespace {
 
-TEST(SessionFileProbes, KeptProbesThatCannotBeAreRefused) {
+TEST(SessionFileProbes, SavedProbesThatCannotBeAreRefused) {
   const auto probesError = [](const std::string& list, const std::string& more = "") {
     return sessionErrorOf(sessionWith(more + "\"probes\": " + list));
   };

@@ -85,6 +85,11 @@ Vector3d LightFrame::unproject(double u, double v, double z) const {
   return (worldToLight.inverse() * light.homogeneous()).head<3>();
 }
 
+bool drawSameDepths(const LightFrame& a, const LightFrame& b) {
+  return a.kind == b.kind && a.worldToLight == b.worldToLight && a.lightToClip == b.lightToClip &&
+         a.nearDistance == b.nearDistance && a.farDistance == b.farDistance;
+}
+
 LightFrame fitLightFrame(const Light& light, const Eigen::AlignedBox3d& bounds) {
   const Vector3d axis = light.target - light.position;
   if (!(axis.norm() > 0.0)) throw Error(ErrorKind::BadInput, "light: position and target coincide");

@@ -55,6 +55,9 @@ struct LightFrame {
   Eigen::Vector3d unproject(double u, double v, double z) const;
 };
 
+// Whether a scene has the same depths in both frames, wherever a directional light stands.
+bool drawSameDepths(const LightFrame& a, const LightFrame& b);
+
 // The tightest frame of `light` that holds all of `bounds` (world): a directional light's square
 // map covers the box, a spot light's covers its cone; near and far plane enclose the box with a
 // margin of 2 % of its depth. Throws BadInput when the light has no direction or an empty box.

@@ -35,7 +35,7 @@ QWidget* makeMapPane(ShadowMapView& map, RegionTable& region) {
 }  // namespace
 
 WindowDocks::WindowDocks(QMainWindow& window, QWidget& controls, EvidencePanes& evidence,
-                         QWidget& keptProbes, WatchedPanes& watched)
+                         QWidget& savedProbes, WatchedPanes& watched)
     : QObject(&window), window_(window) {
   window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
@@ -54,7 +54,7 @@ WindowDocks::WindowDocks(QMainWindow& window, QWidget& controls, EvidencePanes& 
   for (QDockWidget* dock : {histogram_, cdf_}) window.tabifyDockWidget(curves_, dock);
   trace_ = add(tr("Why is it lit?"), "traceDock", evidence.trace(), bottom);
   window.tabifyDockWidget(table_, trace_);
-  probes_ = add(tr("Probes"), "probesDock", keptProbes, bottom);
+  probes_ = add(tr("Probes"), "probesDock", savedProbes, bottom);
   window.tabifyDockWidget(table_, probes_);
   layers_ = add(tr("Layers"), "layersDock", watched.layers(), right);
   window.tabifyDockWidget(curves_, layers_);

@@ -18,7 +18,7 @@ class WindowDocks : public QObject {
 
  public:
   // Puts the panes into docks of `window`, which then own them.
-  WindowDocks(QMainWindow& window, QWidget& controls, EvidencePanes& evidence, QWidget& keptProbes,
+  WindowDocks(QMainWindow& window, QWidget& controls, EvidencePanes& evidence, QWidget& savedProbes,
               WatchedPanes& watched);
 
   // In the order of the menu.

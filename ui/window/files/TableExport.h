@@ -1,4 +1,4 @@
-// Writes the tables of the probe and of the kept probes as text.
+// Writes the tables of the probe and of the saved probes as text.
 #pragma once
 
 #include <QObject>
@@ -6,7 +6,7 @@
 namespace umbra {
 
 class FileDialogs;
-class KeptProbesPane;
+class SavedProbesPane;
 class Prober;
 class ProbeTable;
 
@@ -14,11 +14,11 @@ class TableExport : public QObject {
   Q_OBJECT
 
  public:
-  TableExport(FileDialogs& dialogs, Prober& prober, ProbeTable& table, KeptProbesPane& kept,
+  TableExport(FileDialogs& dialogs, Prober& prober, ProbeTable& table, SavedProbesPane& saved,
               QObject* parent = nullptr);
 
   void askToSaveTechniques();
-  void askToSaveKeptProbes();
+  void askToSaveProbes();
 
  signals:
   void failed(const QString& problem);  // one line for people
@@ -27,7 +27,7 @@ class TableExport : public QObject {
   FileDialogs& dialogs_;
   Prober& prober_;
   ProbeTable& table_;
-  KeptProbesPane& kept_;
+  SavedProbesPane& saved_;
 };
 
 }  // namespace umbra

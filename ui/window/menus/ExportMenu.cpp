@@ -22,7 +22,7 @@ ExportMenu::ExportMenu(FileActions& files, BleedingExport& bleeding, TableExport
   add(tr("Depths plot …"), [&] { evidence.histogram().saveAs(); });
   add(tr("Distribution plot …"), [&] { evidence.cdf().saveAs(); });
   add(tr("Table of techniques …"), [&] { tables.askToSaveTechniques(); });
-  add(tr("Table of saved probes …"), [&] { tables.askToSaveKeptProbes(); });
+  add(tr("Table of saved probes …"), [&] { tables.askToSaveProbes(); });
   addSeparator();
   add(tr("Session …"), [&] { files.askToSaveSession(); });
 }

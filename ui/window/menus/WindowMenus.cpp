@@ -5,8 +5,8 @@
 #include <QMenuBar>
 
 #include "ui/probe/EvidencePanes.h"
-#include "ui/probe/KeptProbes.h"
 #include "ui/probe/Prober.h"
+#include "ui/probe/SavedProbes.h"
 #include "ui/session/SessionController.h"
 #include "ui/widgets/plots/PlotPane.h"
 #include "ui/widgets/tables/ProbeTable.h"
@@ -76,7 +76,7 @@ void WindowMenus::addProbeMenu() {
             [this] { subjects_.prober.unpin(); });
   addAction(*menu, tr("Go to the &worst light bleeding"), QKeySequence("B"),
             [this] { subjects_.prober.pinWorstBleeding(); });
-  addAction(*menu, tr("&Save this probe"), QKeySequence("K"), [this] { subjects_.kept.keep(); });
+  addAction(*menu, tr("&Save this probe"), QKeySequence("K"), [this] { subjects_.saved.save(); });
   addAction(*menu, tr("Back to the &surface's own depth"), QKeySequence("R"), [this] {
     subjects_.controller.edit(tr("Reset receiver depth"),
                               [](Session& session) { session.receiver.reset(); });

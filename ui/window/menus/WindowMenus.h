@@ -11,7 +11,7 @@ class BleedingExport;
 class EvidencePanes;
 class ExportMenu;
 class FileActions;
-class KeptProbes;
+class SavedProbes;
 class LessonController;
 class LessonVisit;
 class Prober;
@@ -25,7 +25,7 @@ class WindowDocks;
 struct MenuSubjects {
   SessionController& controller;
   Prober& prober;
-  KeptProbes& kept;
+  SavedProbes& saved;
   EvidencePanes& evidence;
   FileActions& files;
   TableExport& tables;

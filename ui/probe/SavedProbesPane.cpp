@@ -1,4 +1,4 @@
-#include "ui/probe/KeptProbesPane.h"
+#include "ui/probe/SavedProbesPane.h"
 
 #include <QAction>
 #include <QClipboard>
@@ -10,13 +10,13 @@
 #include <QVBoxLayout>
 
 #include "datasets/session/PaneChoice.h"
-#include "ui/probe/KeptProbes.h"
 #include "ui/probe/Prober.h"
+#include "ui/probe/SavedProbes.h"
 #include "ui/session/SessionController.h"
 #include "ui/widgets/base/Style.h"
 #include "ui/widgets/base/TechniqueTitle.h"
-#include "ui/widgets/tables/KeptProbesModel.h"
 #include "ui/widgets/tables/PlainTable.h"
+#include "ui/widgets/tables/SavedProbesModel.h"
 
 namespace umbra {
 namespace {
@@ -30,16 +30,16 @@ QString inTwoLines(QString title) {
 
 }  // namespace
 
-KeptProbesPane::KeptProbesPane(KeptProbes& probes, SessionController& controller, Prober& prober,
-                               QWidget* parent)
+SavedProbesPane::SavedProbesPane(SavedProbes& probes, SessionController& controller, Prober& prober,
+                                 QWidget* parent)
     : Card(tr("Saved probes"), parent),
       probes_(probes),
       controller_(controller),
       prober_(prober),
-      model_(new KeptProbesModel(this)),
+      model_(new SavedProbesModel(this)),
       view_(new QTableView),
       hint_(new QLabel),
-      keep_(new QToolButton),
+      save_(new QToolButton),
       errors_(new QToolButton),
       copy_(new QToolButton) {
   makeTable();
@@ -51,17 +51,17 @@ KeptProbesPane::KeptProbesPane(KeptProbes& probes, SessionController& controller
   palette.setColor(QPalette::WindowText, style::muted);
   hint_->setPalette(palette);
   body()->addWidget(hint_, 1);
-  connect(&probes_, &KeptProbes::changed, this, &KeptProbesPane::refresh);
+  connect(&probes_, &SavedProbes::changed, this, &SavedProbesPane::refresh);
   connect(&prober_, &Prober::reported, this, [this] {
-    keep_->setEnabled(probes_.canKeep());
+    save_->setEnabled(probes_.canSave());
     if (hint_->text() != hint()) refresh();  // a veil came or went
   });
   refresh();
 }
 
-void KeptProbesPane::makeTable() {
+void SavedProbesPane::makeTable() {
   view_->setModel(model_);
-  view_->setItemDelegate(new KeptProbesDelegate(view_));
+  view_->setItemDelegate(new SavedProbesDelegate(view_));
   makePlain(*view_, {});
   view_->setEditTriggers(QAbstractItemView::DoubleClicked);
   view_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
@@ -82,38 +82,38 @@ void KeptProbesPane::makeTable() {
   });
   // Once the editor has closed: the rows may change by it.
   connect(
-      model_, &KeptProbesModel::renamed, this,
+      model_, &SavedProbesModel::renamed, this,
       [this](int row, const QString& name) { probes_.rename(row, name); }, Qt::QueuedConnection);
 }
 
-void KeptProbesPane::makeHeader() {
+void SavedProbesPane::makeHeader() {
   const auto button = [this](QToolButton* made, const QString& text, const QString& hint) {
     made->setText(text);
     made->setToolTip(hint);
     made->setAutoRaise(true);
     addToHeader(made);
   };
-  button(keep_, tr("Save probe"), tr("Add the present probe to this table (K)"));
+  button(save_, tr("Save probe"), tr("Add the present probe to this table (K)"));
   button(errors_, tr("Errors"), tr("Show errors in place of visibilities"));
   button(copy_, tr("Copy"), tr("Copy the table as text, tab separated"));
   errors_->setCheckable(true);
   errors_->setStyleSheet(QString("QToolButton:checked { background: %1; color: %2; }")
                              .arg(style::tint(style::accent).name(), style::accent.name()));
-  connect(keep_, &QToolButton::clicked, &probes_, &KeptProbes::keep);
+  connect(save_, &QToolButton::clicked, &probes_, &SavedProbes::save);
   connect(errors_, &QToolButton::toggled, this,
           [this](bool shown) { model_->setErrorsShown(shown); });
   connect(copy_, &QToolButton::clicked, this,
           [this] { QGuiApplication::clipboard()->setText(asText('\t')); });
 }
 
-void KeptProbesPane::makeMenu() {
+void SavedProbesPane::makeMenu() {
   const auto add = [this](const QString& text, auto run) {
     auto* action = new QAction(text, view_);
     view_->addAction(action);
     connect(action, &QAction::triggered, this, run);
     return action;
   };
-  add(tr("Save probe"), [this] { probes_.keep(); });
+  add(tr("Save probe"), [this] { probes_.save(); });
   add(tr("Rename probe"), [this] { editName(view_->currentIndex().row()); });
   QAction* drop = add(tr("Delete probe"), [this] {
     const QModelIndex index = view_->currentIndex();
@@ -125,29 +125,29 @@ void KeptProbesPane::makeMenu() {
   view_->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
-void KeptProbesPane::editName(int row) {
-  const QModelIndex index = model_->index(row, KeptProbesModel::NameColumn);
+void SavedProbesPane::editName(int row) {
+  const QModelIndex index = model_->index(row, SavedProbesModel::NameColumn);
   if (index.isValid()) view_->edit(index);
 }
 
-QString KeptProbesPane::asText(char separator) const {
+QString SavedProbesPane::asText(char separator) const {
   const bool shown = prober_.veil().isEmpty() && !probes_.rows().empty();
   return shown ? probes_.text(separator) : QString();
 }
 
-QString KeptProbesPane::hint() const {
+QString SavedProbesPane::hint() const {
   if (!prober_.veil().isEmpty()) return prober_.veil();
   return tr(
       "Point at a shadow and press K to save the place here, under a name: what every "
       "technique makes of all saved places stands side by side.");
 }
 
-void KeptProbesPane::refresh() {
+void SavedProbesPane::refresh() {
   const bool shown = !probes_.rows().empty() && prober_.veil().isEmpty();
   hint_->setText(hint());
   hint_->setVisible(!shown);
   view_->setVisible(shown);
-  keep_->setEnabled(probes_.canKeep());
+  save_->setEnabled(probes_.canSave());
   for (QToolButton* button : {errors_, copy_}) button->setEnabled(shown);
 
   const QMap<QString, QString> refusals = controller_.refusals();
@@ -158,8 +158,8 @@ void KeptProbesPane::refresh() {
                           style::text(technique->info().title), refusals.value(id)});
   }
   model_->setTechniques(std::move(techniques), style::text(controller_.session().technique));
-  std::vector<KeptProbeRow> rows;
-  for (const KeptProbes::Row& row : probes_.rows()) {
+  std::vector<SavedProbeRow> rows;
+  for (const SavedProbes::Row& row : probes_.rows()) {
     const NamedProbe& probe = row.probe;
     const QString place =
         probe.point ? tr("at %1, %2, %3 in the scene")
@@ -175,17 +175,17 @@ void KeptProbesPane::refresh() {
 }
 
 // A row is brought into view when it becomes the current one, not whenever something is read.
-void KeptProbesPane::select(int row) {
+void SavedProbesPane::select(int row) {
   if (row < 0) {
     view_->clearSelection();
   } else if (row != selected_ || !view_->selectionModel()->isRowSelected(row, {})) {
     view_->selectRow(row);
-    view_->scrollTo(model_->index(row, KeptProbesModel::NameColumn));
+    view_->scrollTo(model_->index(row, SavedProbesModel::NameColumn));
   }
   selected_ = row;
 }
 
-void KeptProbesPane::arrangeColumns() {
+void SavedProbesPane::arrangeColumns() {
   view_->resizeColumnsToContents();
   view_->resizeRowsToContents();
 }

@@ -1,4 +1,4 @@
-// The rows of KeptProbesPane: a probe each, with a column for every technique.
+// The rows of SavedProbesPane: a probe each, with a column for every technique.
 #pragma once
 
 #include <QAbstractTableModel>
@@ -11,7 +11,7 @@
 
 namespace umbra {
 
-struct KeptProbeRow {
+struct SavedProbeRow {
   QString name;
   QString place;  // where it is, for the tooltip
   std::optional<SheetFigures> figures;
@@ -23,7 +23,7 @@ struct TechniqueColumn {
   QString refusal;  // why it has no figures with the present settings; empty where it has
 };
 
-class KeptProbesModel : public QAbstractTableModel {
+class SavedProbesModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
@@ -33,7 +33,7 @@ class KeptProbesModel : public QAbstractTableModel {
   using QAbstractTableModel::QAbstractTableModel;
 
   void setTechniques(std::vector<TechniqueColumn> techniques, const QString& selected);
-  void setRows(std::vector<KeptProbeRow> rows);
+  void setRows(std::vector<SavedProbeRow> rows);
   // Errors in place of visibilities.
   void setErrorsShown(bool shown);
 
@@ -57,13 +57,13 @@ class KeptProbesModel : public QAbstractTableModel {
   QString hintAt(const QModelIndex& index) const;
 
   std::vector<TechniqueColumn> techniques_;
-  std::vector<KeptProbeRow> rows_;
+  std::vector<SavedProbeRow> rows_;
   QString selected_;
   bool errorsShown_ = false;
 };
 
 // The probe's number before its name, figures on the colours of the error view.
-class KeptProbesDelegate : public QStyledItemDelegate {
+class SavedProbesDelegate : public QStyledItemDelegate {
   Q_OBJECT
 
  public:

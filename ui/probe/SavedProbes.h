@@ -1,4 +1,4 @@
-// The probes that are kept, read in every frame that is at rest.
+// The probes that are saved, read in every frame that is at rest.
 #pragma once
 
 #include <QObject>
@@ -20,7 +20,7 @@ struct Document;
 
 // Reads one probe after the other, and lets the window answer between them: each costs what
 // pointing at a place does.
-class KeptProbes : public QObject {
+class SavedProbes : public QObject {
   Q_OBJECT
 
  public:
@@ -31,8 +31,8 @@ class KeptProbes : public QObject {
     bool hidden = false;                  // from the camera
   };
 
-  KeptProbes(SessionController& controller, SceneView& view, Prober& prober,
-             QObject* parent = nullptr);
+  SavedProbes(SessionController& controller, SceneView& view, Prober& prober,
+              QObject* parent = nullptr);
 
   const std::vector<Row>& rows() const { return rows_; }
   // The one that the session's probe is at; −1 for none.
@@ -43,11 +43,11 @@ class KeptProbes : public QObject {
   // All are read with the present settings.
   bool upToDate() const { return next_ >= rows_.size() && !rest_.isActive(); }
 
-  // Whether there is a pinned or hovered place to keep, which is none of the kept ones, or one of
+  // Whether there is a pinned or hovered place to save, which is none of the saved ones, or one of
   // them with another receiver.
-  bool canKeep() const;
+  bool canSave() const;
   // All are a step for undo.
-  void keep();  // the present probe; pins it
+  void save();  // the present probe; pins it
   void rename(int row, const QString& name);
   void drop(int row);
   void goTo(int row);

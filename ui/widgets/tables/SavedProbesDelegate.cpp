@@ -4,7 +4,7 @@
 
 #include "filters/gpu/ViewColours.h"
 #include "ui/widgets/base/Style.h"
-#include "ui/widgets/tables/KeptProbesModel.h"
+#include "ui/widgets/tables/SavedProbesModel.h"
 
 namespace umbra {
 namespace {
@@ -24,16 +24,16 @@ bool isDark(const QColor& colour) {
 
 }  // namespace
 
-void KeptProbesDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
-                               const QModelIndex& index) const {
+void SavedProbesDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                                const QModelIndex& index) const {
   painter->save();
   painter->setRenderHint(QPainter::Antialiasing);
   const bool selected = option.state & QStyle::State_Selected;
   if (selected)
     painter->fillRect(option.rect, style::tint(style::probe));
-  else if (index.data(KeptProbesModel::MarkedRole).toBool())
+  else if (index.data(SavedProbesModel::MarkedRole).toBool())
     painter->fillRect(option.rect, style::tint(style::accent));
-  if (index.column() == KeptProbesModel::NameColumn)
+  if (index.column() == SavedProbesModel::NameColumn)
     paintName(*painter, option, index);
   else
     paintFigure(*painter, option, index);
@@ -43,8 +43,8 @@ void KeptProbesDelegate::paint(QPainter* painter, const QStyleOptionViewItem& op
   painter->restore();
 }
 
-void KeptProbesDelegate::paintName(QPainter& painter, const QStyleOptionViewItem& option,
-                                   const QModelIndex& index) const {
+void SavedProbesDelegate::paintName(QPainter& painter, const QStyleOptionViewItem& option,
+                                    const QModelIndex& index) const {
   const QRectF disc(option.rect.left() + 3.0, option.rect.center().y() - 7.5, 16.0, 16.0);
   painter.setPen(Qt::NoPen);
   painter.setBrush(style::probe);
@@ -59,7 +59,7 @@ void KeptProbesDelegate::paintName(QPainter& painter, const QStyleOptionViewItem
   QFont font = option.font;
   font.setBold(option.state & QStyle::State_Selected);
   const QRect room = option.rect.adjusted(discSpace, 0, -2, 0);
-  const QString note = index.data(KeptProbesModel::NoteRole).toString();
+  const QString note = index.data(SavedProbesModel::NoteRole).toString();
   const QFontMetrics metrics(font), noteMetrics(option.font);
   const int noteWidth = note.isEmpty() ? 0 : noteMetrics.horizontalAdvance(note) + 8;
   const int nameWidth = std::max(room.width() - noteWidth, room.width() / 2);
@@ -75,9 +75,9 @@ void KeptProbesDelegate::paintName(QPainter& painter, const QStyleOptionViewItem
                    noteMetrics.elidedText(note, Qt::ElideRight, rest.width()));
 }
 
-void KeptProbesDelegate::paintFigure(QPainter& painter, const QStyleOptionViewItem& option,
-                                     const QModelIndex& index) const {
-  const QVariant error = index.data(KeptProbesModel::ErrorRole);
+void SavedProbesDelegate::paintFigure(QPainter& painter, const QStyleOptionViewItem& option,
+                                      const QModelIndex& index) const {
+  const QVariant error = index.data(SavedProbesModel::ErrorRole);
   QColor ink = style::ink;
   if (error.isValid()) {
     const QColor ground = colourOf(error.toDouble());
@@ -93,22 +93,22 @@ void KeptProbesDelegate::paintFigure(QPainter& painter, const QStyleOptionViewIt
   painter.drawText(option.rect, Qt::AlignCenter, index.data().toString());
 }
 
-QSize KeptProbesDelegate::sizeHint(const QStyleOptionViewItem& option,
-                                   const QModelIndex& index) const {
+QSize SavedProbesDelegate::sizeHint(const QStyleOptionViewItem& option,
+                                    const QModelIndex& index) const {
   QFont bold = style::figures(option.font);  // nothing moves when the selection does
   bold.setBold(true);
   const QFontMetrics metrics(bold);
   int width = metrics.horizontalAdvance(index.data().toString()) + 2 * padding;
-  if (index.column() == KeptProbesModel::NameColumn) {
-    const QString note = index.data(KeptProbesModel::NoteRole).toString();
+  if (index.column() == SavedProbesModel::NameColumn) {
+    const QString note = index.data(SavedProbesModel::NoteRole).toString();
     if (!note.isEmpty()) width += metrics.horizontalAdvance(note) + 8;
     width = std::min(width + discSpace, widestCell);
   }
   return {width, metrics.height() + 8};
 }
 
-void KeptProbesDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
-                                              const QModelIndex&) const {
+void SavedProbesDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
+                                               const QModelIndex&) const {
   editor->setGeometry(option.rect.adjusted(discSpace - 4, 0, 0, -1));
 }
 

@@ -1,4 +1,4 @@
-// The table of the kept probes and what can be done with them.
+// The table of the saved probes and what can be done with them.
 #pragma once
 
 #include "ui/widgets/base/Card.h"
@@ -9,20 +9,20 @@ class QToolButton;
 
 namespace umbra {
 
-class KeptProbes;
-class KeptProbesModel;
+class SavedProbes;
+class SavedProbesModel;
 class Prober;
 class SessionController;
 
-class KeptProbesPane : public Card {
+class SavedProbesPane : public Card {
   Q_OBJECT
 
  public:
-  KeptProbesPane(KeptProbes& probes, SessionController& controller, Prober& prober,
-                 QWidget* parent = nullptr);
+  SavedProbesPane(SavedProbes& probes, SessionController& controller, Prober& prober,
+                  QWidget* parent = nullptr);
 
   QTableView& view() { return *view_; }
-  QToolButton& keepButton() { return *keep_; }
+  QToolButton& saveButton() { return *save_; }
   // None without probes, and while a veil hides the figures.
   QString asText(char separator) const;
   void editName(int row);
@@ -36,13 +36,13 @@ class KeptProbesPane : public Card {
   void select(int row);  // −1 for none
   QString hint() const;
 
-  KeptProbes& probes_;
+  SavedProbes& probes_;
   SessionController& controller_;
   Prober& prober_;
-  KeptProbesModel* model_;
+  SavedProbesModel* model_;
   QTableView* view_;
   QLabel* hint_;
-  QToolButton *keep_, *errors_, *copy_;
+  QToolButton *save_, *errors_, *copy_;
   int selected_ = -1;
 };
 

@@ -1,4 +1,4 @@
-// Probes that are kept under names: their table, their marks, their place in the session.
+// Probes that are saved under names: their table, their marks, their place in the session.
 #include <QAbstractItemModel>
 #include <QDockWidget>
 #include <QLineEdit>
@@ -10,9 +10,9 @@
 #include "datasets/maps/ExrFile.h"
 #include "tests/window/WindowFixture.h"
 #include "ui/picture/SceneView.h"
-#include "ui/probe/KeptProbes.h"
-#include "ui/probe/KeptProbesPane.h"
 #include "ui/probe/Prober.h"
+#include "ui/probe/SavedProbes.h"
+#include "ui/probe/SavedProbesPane.h"
 #include "ui/widgets/maps/ShadowMapView.h"
 #include "ui/window/CentrePane.h"
 
@@ -20,11 +20,11 @@ namespace umbra {
 namespace {
 
 QString cell(MainWindow& window, int row, int column) {
-  return window.keptProbesPane().view().model()->index(row, column).data().toString();
+  return window.savedProbesPane().view().model()->index(row, column).data().toString();
 }
 
 int columnOf(MainWindow& window, const char* title) {
-  const QAbstractItemModel& model = *window.keptProbesPane().view().model();
+  const QAbstractItemModel& model = *window.savedProbesPane().view().model();
   for (int column = 0; column < model.columnCount(); ++column)
     if (model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString() == title)
       return column;
@@ -32,7 +32,7 @@ int columnOf(MainWindow& window, const char* title) {
 }
 
 double errorAt(MainWindow& window, int row, const char* technique) {
-  return window.keptProbes().rows().at(std::size_t(row)).figures->of(technique)->error;
+  return window.savedProbes().rows().at(std::size_t(row)).figures->of(technique)->error;
 }
 
 QPoint middleOf(QTableView& view, int row, int column) {
@@ -47,44 +47,44 @@ Camera turnedAround(const Camera& camera) {
 
 }  // namespace
 
-class KeptProbesTest : public WindowFixture {
+class SavedProbesTest : public WindowFixture {
   Q_OBJECT
 
  private slots:
-  void keptProbesStayOnTheirPoints();
-  void aKeptProbeIsGoneToRenamedAndDeleted();
-  void keptProbesAreSavedAndOpenedAgain();
-  void aKeptProbeOutOfSightIsGoneTo();
-  void keptTexelsAreOfTheirFile();
-  void keptFiguresHideBehindAVeil();
+  void savedProbesStayOnTheirPoints();
+  void aSavedProbeIsGoneToRenamedAndDeleted();
+  void savedProbesAreOpenedAgain();
+  void aSavedProbeOutOfSightIsGoneTo();
+  void savedTexelsAreOfTheirFile();
+  void savedFiguresHideBehindAVeil();
 
  private:
-  // Settles, and waits until every kept probe has been read.
-  void settleKept();
+  // Settles, and waits until every saved probe has been read.
+  void settleSaved();
 };
 
-void KeptProbesTest::settleKept() {
+void SavedProbesTest::settleSaved() {
   settle();
-  QTRY_VERIFY_WITH_TIMEOUT(window_->keptProbes().upToDate(), patience);
+  QTRY_VERIFY_WITH_TIMEOUT(window_->savedProbes().upToDate(), patience);
 }
 
-void KeptProbesTest::keptProbesStayOnTheirPoints() {
+void SavedProbesTest::savedProbesStayOnTheirPoints() {
   MainWindow& window = open();
-  QVERIFY(window.keptProbesPane().keepButton().isEnabled());
+  QVERIFY(window.savedProbesPane().saveButton().isEnabled());
   const Eigen::Vector3d first = *window.prober().report()->point;
   const double firstError = result("vsm").error;
   key(Qt::Key_K);
-  QVERIFY(!window.keptProbesPane().keepButton().isEnabled());  // it is kept already
+  QVERIFY(!window.savedProbesPane().saveButton().isEnabled());  // it is saved already
   const QSize size = window.view().pixels();
   click({size.width() / 2, size.height() * 4 / 5});
   const double secondError = result("vsm").error;
   key(Qt::Key_K);
-  settleKept();
+  settleSaved();
 
   const std::vector<NamedProbe>& probes = window.controller().session().probes;
   QCOMPARE(int(probes.size()), 2);
   QCOMPARE(*probes[0].point, first);
-  QCOMPARE(window.keptProbes().current(), 1);
+  QCOMPARE(window.savedProbes().current(), 1);
   // The table says what the probe's own panes say.
   QCOMPARE(errorAt(window, 0, "vsm"), firstError);
   QCOMPARE(errorAt(window, 1, "vsm"), secondError);
@@ -98,15 +98,15 @@ void KeptProbesTest::keptProbesStayOnTheirPoints() {
   Camera moved = camera;
   moved.position += 0.02 * (camera.target - camera.position).cross(camera.up);
   emit window.view().cameraMoved(moved);
-  settleKept();
+  settleSaved();
   QCOMPARE(errorAt(window, 0, "vsm"), firstError);
-  QVERIFY(!window.keptProbes().rows()[0].hidden);
+  QVERIFY(!window.savedProbes().rows()[0].hidden);
   QCOMPARE(result("vsm").error, secondError);
 
   emit window.view().cameraMoved(turnedAround(camera));
-  settleKept();
+  settleSaved();
   QCOMPARE(errorAt(window, 0, "vsm"), firstError);
-  QVERIFY(window.keptProbes().rows()[0].hidden);
+  QVERIFY(window.savedProbes().rows()[0].hidden);
   QCOMPARE(*window.controller().session().probes[0].point, first);
   // Both marks keep to their points, wherever these are seen: the current one is the probe's own.
   QCOMPARE(int(window.view().overlayContents().marks.size()), 1);
@@ -115,11 +115,11 @@ void KeptProbesTest::keptProbesStayOnTheirPoints() {
 
   window.controller().edit(
       "Reduce", [](Session& session) { session.parameters["vsm"]["bleed-reduction"] = 0.9; });
-  settleKept();
+  settleSaved();
   QVERIFY(errorAt(window, 0, "vsm") < firstError);
 }
 
-void KeptProbesTest::aKeptProbeIsGoneToRenamedAndDeleted() {
+void SavedProbesTest::aSavedProbeIsGoneToRenamedAndDeleted() {
   MainWindow& window = open();
   window.findChild<QDockWidget*>("probesDock")->raise();
   settle();
@@ -128,17 +128,17 @@ void KeptProbesTest::aKeptProbeIsGoneToRenamedAndDeleted() {
   const QSize size = window.view().pixels();
   click({size.width() / 2, size.height() * 4 / 5});
   key(Qt::Key_K);
-  settleKept();
-  QTableView& view = window.keptProbesPane().view();
+  settleSaved();
+  QTableView& view = window.savedProbesPane().view();
   QVERIFY(view.isVisible());
 
   QTest::mouseClick(view.viewport(), Qt::LeftButton, {}, middleOf(view, 0, 1));
-  settleKept();
-  QCOMPARE(window.keptProbes().current(), 0);
+  settleSaved();
+  QCOMPARE(window.savedProbes().current(), 0);
   QCOMPARE(*window.prober().pinnedPoint(), first);
   QCOMPARE(result("vsm").error, errorAt(window, 0, "vsm"));
 
-  window.keptProbesPane().editName(0);
+  window.savedProbesPane().editName(0);
   auto* editor = view.viewport()->findChild<QLineEdit*>();
   QVERIFY(editor);
   editor->setText("Under the \"bench\"");
@@ -150,7 +150,7 @@ void KeptProbesTest::aKeptProbeIsGoneToRenamedAndDeleted() {
   const Session before = window.controller().session();
   view.setFocus();
   QTest::keyClick(&view, Qt::Key_Delete);
-  settleKept();
+  settleSaved();
   QCOMPARE(int(window.controller().session().probes.size()), 1);
   QCOMPARE(view.model()->rowCount(), 1);
   key(Qt::Key_Z, Qt::ControlModifier);
@@ -159,60 +159,60 @@ void KeptProbesTest::aKeptProbeIsGoneToRenamedAndDeleted() {
   QVERIFY(cell(window, 0, 0) != "Under the \"bench\"");
   QCOMPARE(*window.prober().pinnedPoint(), first);
   key(Qt::Key_Z, Qt::ControlModifier);  // the way there
-  QCOMPARE(window.keptProbes().current(), 1);
+  QCOMPARE(window.savedProbes().current(), 1);
   key(Qt::Key_Y, Qt::ControlModifier);
-  settleKept();
+  settleSaved();
   QCOMPARE(*window.prober().pinnedPoint(), first);
 
   // A name that another has is refused, and said so.
   const std::vector<NamedProbe> probes = window.controller().session().probes;
-  window.keptProbes().rename(0, QString::fromStdString(probes[1].name));
+  window.savedProbes().rename(0, QString::fromStdString(probes[1].name));
   QVERIFY(window.controller().session().probes == probes);
 }
 
-void KeptProbesTest::keptProbesAreSavedAndOpenedAgain() {
+void SavedProbesTest::savedProbesAreOpenedAgain() {
   MainWindow& window = open();
   key(Qt::Key_K);
-  settleKept();
+  settleSaved();
   const Workspace saved = window.sessionToSave();
   const double error = errorAt(window, 0, "vsm");
-  const QString file = folder_.filePath("kept.json");
+  const QString file = folder_.filePath("saved.json");
   window.saveSession(file.toStdString());
   SceneSource other;
   other.name = "three-planes";
   window.controller().openSource(other);
-  settleKept();
+  settleSaved();
   QVERIFY(window.controller().session().probes.empty());  // of another scene
-  QCOMPARE(window.keptProbesPane().view().model()->rowCount(), 0);
+  QCOMPARE(window.savedProbesPane().view().model()->rowCount(), 0);
   key(Qt::Key_Z, Qt::ControlModifier);
-  settleKept();
-  QCOMPARE(window.keptProbesPane().view().model()->rowCount(), 1);
+  settleSaved();
+  QCOMPARE(window.savedProbesPane().view().model()->rowCount(), 1);
   key(Qt::Key_Y, Qt::ControlModifier);
   settle();
   window.openFile(file.toStdString());
-  settleKept();
+  settleSaved();
   QVERIFY(window.controller().session().probes == saved.shared.probes);
-  QCOMPARE(window.keptProbes().current(), 0);
+  QCOMPARE(window.savedProbes().current(), 0);
   QCOMPARE(errorAt(window, 0, "vsm"), error);
   QCOMPARE(result("vsm").error, error);
 
-  QVERIFY(window.keptProbesPane().asText(',').startsWith("name,x,y,z,receiver,truth,"));
-  QVERIFY(window.keptProbesPane().asText('\t').contains(
+  QVERIFY(window.savedProbesPane().asText(',').startsWith("name,x,y,z,receiver,truth,"));
+  QVERIFY(window.savedProbesPane().asText('\t').contains(
       QString::fromStdString(saved.shared.probes[0].name) + "\t"));
 }
 
 // Nobody has seen the point in this window: it is read from its surface.
-void KeptProbesTest::aKeptProbeOutOfSightIsGoneTo() {
+void SavedProbesTest::aSavedProbeOutOfSightIsGoneTo() {
   MainWindow& window = open();
   key(Qt::Key_K);
-  settleKept();
+  settleSaved();
   Session away = sessionOf(window.sessionToSave());
   const double truth = window.prober().report()->probe.reference;
   const double receiver = window.prober().report()->probe.receiver;
   away.camera = turnedAround(window.controller().document().content.scene->camera);
   open(away);
-  settleKept();
-  const KeptProbes::Row& row = window_->keptProbes().rows().at(0);
+  settleSaved();
+  const SavedProbes::Row& row = window_->savedProbes().rows().at(0);
   QVERIFY(row.hidden);
   QVERIFY(row.figures.has_value());
   // Its place on the map is known to 2⁻²⁴ of the map and the digits of the depth buffer: a
@@ -226,44 +226,44 @@ void KeptProbesTest::aKeptProbeOutOfSightIsGoneTo() {
 
   window_->controller().edit(
       "Trilinear", [](Session& session) { session.frame.read.filter = ReadFilter::Trilinear; });
-  settleKept();
-  QVERIFY(!window_->keptProbes().rows().at(0).figures);
-  QCOMPARE(window_->keptProbes().rows().at(0).reason, QString("not in sight"));
+  settleSaved();
+  QVERIFY(!window_->savedProbes().rows().at(0).figures);
+  QCOMPARE(window_->savedProbes().rows().at(0).reason, QString("not in sight"));
 }
 
-void KeptProbesTest::keptTexelsAreOfTheirFile() {
+void SavedProbesTest::savedTexelsAreOfTheirFile() {
   MainWindow& window = open();
   Image<float> depths(48, 32);
   for (int y = 0; y < 32; ++y)
     for (int x = 0; x < 48; ++x) depths(x, y) = float((x * 7 + y * 13) % 50) / 50.0F;
-  const QString file = folder_.filePath("kept.exr");
+  const QString file = folder_.filePath("saved.exr");
   writeExr(file.toStdString(), {{"Z", depths}}, {});
   window.openFile(file.toStdString());
   QTRY_VERIFY_WITH_TIMEOUT(window.controller().document().content.depth != nullptr, patience);
   emit window.centre().depthView().texelClicked(5, 20);
   window.controller().edit("receiver", [](Session& session) { session.receiver = 0.4; });
-  window.keptProbes().keep();
-  QVERIFY(!window.keptProbes().canKeep());
+  window.savedProbes().save();
+  QVERIFY(!window.savedProbes().canSave());
   window.controller().edit("receiver", [](Session& session) { session.receiver = 0.6; });
-  QVERIFY(window.keptProbes().canKeep());  // the same texel, another depth
+  QVERIFY(window.savedProbes().canSave());  // the same texel, another depth
   emit window.centre().depthView().texelClicked(30, 11);
-  settleKept();
-  const NamedProbe kept = window.controller().session().probes.at(0);
-  QVERIFY(kept.texel == (Pixel{5, 20}));
-  QVERIFY(!kept.point);
-  QCOMPARE(*kept.receiver, 0.4);
-  window.keptProbes().goTo(0);
-  settleKept();
+  settleSaved();
+  const NamedProbe saved = window.controller().session().probes.at(0);
+  QVERIFY(saved.texel == (Pixel{5, 20}));
+  QVERIFY(!saved.point);
+  QCOMPARE(*saved.receiver, 0.4);
+  window.savedProbes().goTo(0);
+  settleSaved();
   QVERIFY(window.prober().report()->pixel == (Pixel{5, 20}));
   QCOMPARE(errorAt(window, 0, "vsm"), result("vsm").error);
 }
 
-void KeptProbesTest::keptFiguresHideBehindAVeil() {
+void SavedProbesTest::savedFiguresHideBehindAVeil() {
   MainWindow& window = open();
   window.findChild<QDockWidget*>("probesDock")->raise();
   key(Qt::Key_K);
-  settleKept();
-  KeptProbesPane& pane = window.keptProbesPane();
+  settleSaved();
+  SavedProbesPane& pane = window.savedProbesPane();
   QVERIFY(pane.view().isVisible());
   window.prober().setVeil("Predict first");
   QVERIFY(!pane.view().isVisible());
@@ -273,10 +273,10 @@ void KeptProbesTest::keptFiguresHideBehindAVeil() {
   QVERIFY(!pane.asText('\t').isEmpty());
 }
 
-std::unique_ptr<QObject> makeKeptProbesTest() {
-  return std::make_unique<KeptProbesTest>();
+std::unique_ptr<QObject> makeSavedProbesTest() {
+  return std::make_unique<SavedProbesTest>();
 }
 
 }  // namespace umbra
 
-#include "KeptProbesTest.moc"
+#include "SavedProbesTest.moc"

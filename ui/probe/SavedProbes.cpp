@@ -1,4 +1,4 @@
-#include "ui/probe/KeptProbes.h"
+#include "ui/probe/SavedProbes.h"
 
 #include <algorithm>
 #include <exception>
@@ -16,13 +16,13 @@ constexpr int restsAfter = 80;  // ms
 QString reasonOf(NotRead why) {
   switch (why) {
     case NotRead::NoSurface:
-      return KeptProbes::tr("no surface is there");
+      return SavedProbes::tr("no surface is there");
     case NotRead::OutsideMap:
-      return KeptProbes::tr("outside the shadow map");
+      return SavedProbes::tr("outside the shadow map");
     case NotRead::NotInSight:
       break;
   }
-  return KeptProbes::tr("not in sight");
+  return SavedProbes::tr("not in sight");
 }
 
 std::string capitalised(std::string text) {
@@ -32,18 +32,18 @@ std::string capitalised(std::string text) {
 
 }  // namespace
 
-KeptProbes::KeptProbes(SessionController& controller, SceneView& view, Prober& prober,
-                       QObject* parent)
+SavedProbes::SavedProbes(SessionController& controller, SceneView& view, Prober& prober,
+                         QObject* parent)
     : QObject(parent), controller_(controller), view_(view), prober_(prober) {
   rest_.setSingleShot(true);
-  connect(&rest_, &QTimer::timeout, this, &KeptProbes::readNext);
-  connect(&view_, &SceneView::frameDrawn, this, &KeptProbes::start);
-  connect(&controller_, &SessionController::changed, this, &KeptProbes::sessionChanged);
+  connect(&rest_, &QTimer::timeout, this, &SavedProbes::readNext);
+  connect(&view_, &SceneView::frameDrawn, this, &SavedProbes::start);
+  connect(&controller_, &SessionController::changed, this, &SavedProbes::sessionChanged);
   sessionChanged({}, controller_.document());
 }
 
 // Rows keep what was read of them under whatever name and in whatever place.
-void KeptProbes::sessionChanged(const Document& before, const Document& after) {
+void SavedProbes::sessionChanged(const Document& before, const Document& after) {
   const std::vector<NamedProbe>& probes = after.session.probes;
   std::vector<Row> rows;
   std::vector<std::optional<HeldPoint>> held;
@@ -72,13 +72,13 @@ void KeptProbes::sessionChanged(const Document& before, const Document& after) {
   emit changed();
 }
 
-void KeptProbes::start() {
+void SavedProbes::start() {
   next_ = 0;
   if (rows_.empty()) return rest_.stop();
   rest_.start(restsAfter);
 }
 
-void KeptProbes::readNext() {
+void SavedProbes::readNext() {
   const bool onScene = controller_.document().content.scene != nullptr;
   if (onScene && !view_.upToDate()) return;  // the frame that follows starts again
   if (next_ >= rows_.size()) return;
@@ -87,7 +87,7 @@ void KeptProbes::readNext() {
   emit changed();
 }
 
-void KeptProbes::read(std::size_t index) {
+void SavedProbes::read(std::size_t index) {
   Row& row = rows_[index];
   const Document& document = controller_.document();
   row.figures.reset();
@@ -114,7 +114,7 @@ void KeptProbes::read(std::size_t index) {
   }
 }
 
-std::vector<ProbeMark> KeptProbes::marks() const {
+std::vector<ProbeMark> SavedProbes::marks() const {
   std::vector<ProbeMark> marks;
   int number = 0;
   for (const Row& row : rows_)
@@ -123,7 +123,7 @@ std::vector<ProbeMark> KeptProbes::marks() const {
   return marks;
 }
 
-int KeptProbes::current() const {
+int SavedProbes::current() const {
   const Session& session = controller_.session();
   if (!session.probe) return -1;
   for (std::size_t i = 0; i < rows_.size(); ++i)
@@ -131,14 +131,14 @@ int KeptProbes::current() const {
   return -1;
 }
 
-bool KeptProbes::canKeep() const {
+bool SavedProbes::canSave() const {
   if (!prober_.behindVeil()) return false;
   const int at = current();
   return at < 0 || rows_[std::size_t(at)].probe.receiver != controller_.session().receiver;
 }
 
 // By what it lies on, where that has a name.
-QString KeptProbes::wishedName() const {
+QString SavedProbes::wishedName() const {
   const auto& report = prober_.behindVeil();
   const Document& document = controller_.document();
   const std::string object =
@@ -149,9 +149,9 @@ QString KeptProbes::wishedName() const {
   return style::text(freeProbeName(probes, "Probe " + std::to_string(probes.size() + 1)));
 }
 
-void KeptProbes::keep() {
+void SavedProbes::save() {
   const auto& report = prober_.behindVeil();
-  if (!canKeep()) return;
+  if (!canSave()) return;
   controller_.edit(tr("Save probe"), [&](Session& session) {
     NamedProbe probe;
     probe.name = wishedName().toStdString();
@@ -162,9 +162,9 @@ void KeptProbes::keep() {
       probe.point = pinned ? *pinned : *report->point;
     else
       probe.texel = report->pixel;
-    // What is kept no longer follows the pointer.
+    // What is saved no longer follows the pointer.
     if (!session.probe) prober_.place(session, report->pixel);
-    keepProbe(session, std::move(probe));
+    saveProbe(session, std::move(probe));
   });
   if (current() >= 0)
     emit message(tr("Saved as “%1”: it has a row in the table of probes")
@@ -172,19 +172,19 @@ void KeptProbes::keep() {
   prober_.refresh();
 }
 
-void KeptProbes::rename(int row, const QString& name) {
+void SavedProbes::rename(int row, const QString& name) {
   const std::string from = rows_.at(std::size_t(row)).probe.name;
   controller_.edit(tr("Rename probe"), [&](Session& session) {
     renameProbe(session, from, name.trimmed().toStdString());
   });
 }
 
-void KeptProbes::drop(int row) {
+void SavedProbes::drop(int row) {
   const std::string name = rows_.at(std::size_t(row)).probe.name;
   controller_.edit(tr("Delete probe"), [&](Session& session) { dropProbe(session, name); });
 }
 
-void KeptProbes::goTo(int row) {
+void SavedProbes::goTo(int row) {
   const NamedProbe probe = rows_.at(std::size_t(row)).probe;
   if (row == current()) return;
   prober_.settlePixel();
@@ -200,7 +200,7 @@ void KeptProbes::goTo(int row) {
   prober_.refresh();
 }
 
-QString KeptProbes::text(char separator) const {
+QString SavedProbes::text(char separator) const {
   std::vector<SheetRow> rows;
   for (const Row& row : rows_) {
     SheetRow& sheet = rows.emplace_back();

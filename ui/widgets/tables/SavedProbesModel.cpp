@@ -1,4 +1,4 @@
-#include "ui/widgets/tables/KeptProbesModel.h"
+#include "ui/widgets/tables/SavedProbesModel.h"
 
 #include <algorithm>
 
@@ -11,8 +11,8 @@ const QString absent = QStringLiteral("–");
 
 }  // namespace
 
-void KeptProbesModel::setTechniques(std::vector<TechniqueColumn> techniques,
-                                    const QString& selected) {
+void SavedProbesModel::setTechniques(std::vector<TechniqueColumn> techniques,
+                                     const QString& selected) {
   const bool same =
       std::equal(techniques.begin(), techniques.end(), techniques_.begin(), techniques_.end(),
                  [](const auto& a, const auto& b) { return a.id == b.id; });
@@ -24,55 +24,55 @@ void KeptProbesModel::setTechniques(std::vector<TechniqueColumn> techniques,
   emitFiguresChanged();
 }
 
-void KeptProbesModel::setRows(std::vector<KeptProbeRow> rows) {
+void SavedProbesModel::setRows(std::vector<SavedProbeRow> rows) {
   const bool same = rows.size() == rows_.size();
   if (!same) beginResetModel();
   std::swap(rows_, rows);
   if (!same) return endResetModel();
   // A name that is being edited is left alone where it has not changed.
   for (int row = 0; row < rowCount(); ++row) {
-    const KeptProbeRow &before = rows[std::size_t(row)], &after = rows_[std::size_t(row)];
+    const SavedProbeRow &before = rows[std::size_t(row)], &after = rows_[std::size_t(row)];
     const bool named = before.name == after.name && before.note == after.note;
     emit dataChanged(index(row, named ? TruthColumn : NameColumn), index(row, columnCount() - 1));
   }
 }
 
-void KeptProbesModel::setErrorsShown(bool shown) {
+void SavedProbesModel::setErrorsShown(bool shown) {
   errorsShown_ = shown;
   emitFiguresChanged();
 }
 
-void KeptProbesModel::emitFiguresChanged() {
+void SavedProbesModel::emitFiguresChanged() {
   if (rows_.empty()) return;
   emit dataChanged(index(0, TruthColumn), index(rowCount() - 1, columnCount() - 1));
 }
 
-const TechniqueColumn* KeptProbesModel::techniqueAt(int column) const {
+const TechniqueColumn* SavedProbesModel::techniqueAt(int column) const {
   const int place = column - FirstTechnique;
   return place >= 0 && place < int(techniques_.size()) ? &techniques_[std::size_t(place)] : nullptr;
 }
 
-int KeptProbesModel::rowCount(const QModelIndex& parent) const {
+int SavedProbesModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : int(rows_.size());
 }
 
-int KeptProbesModel::columnCount(const QModelIndex& parent) const {
+int SavedProbesModel::columnCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : FirstTechnique + int(techniques_.size());
 }
 
-Qt::ItemFlags KeptProbesModel::flags(const QModelIndex& index) const {
+Qt::ItemFlags SavedProbesModel::flags(const QModelIndex& index) const {
   const Qt::ItemFlags flags = QAbstractTableModel::flags(index);
   return index.column() == NameColumn ? flags | Qt::ItemIsEditable : flags;
 }
 
-const SheetFigures::Entry* KeptProbesModel::entryAt(const QModelIndex& index) const {
+const SheetFigures::Entry* SavedProbesModel::entryAt(const QModelIndex& index) const {
   const TechniqueColumn* technique = techniqueAt(index.column());
   const auto& figures = rows_[std::size_t(index.row())].figures;
   return technique && figures ? figures->of(technique->id.toStdString()) : nullptr;
 }
 
-QString KeptProbesModel::textAt(const QModelIndex& index) const {
-  const KeptProbeRow& row = rows_[std::size_t(index.row())];
+QString SavedProbesModel::textAt(const QModelIndex& index) const {
+  const SavedProbeRow& row = rows_[std::size_t(index.row())];
   if (index.column() == NameColumn) return row.name;
   if (!row.figures) return absent;
   if (index.column() == TruthColumn) return QString::number(row.figures->reference, 'f', 3);
@@ -82,8 +82,8 @@ QString KeptProbesModel::textAt(const QModelIndex& index) const {
                       : QString::number(entry->visibility, 'f', 3);
 }
 
-QString KeptProbesModel::hintAt(const QModelIndex& index) const {
-  const KeptProbeRow& row = rows_[std::size_t(index.row())];
+QString SavedProbesModel::hintAt(const QModelIndex& index) const {
+  const SavedProbeRow& row = rows_[std::size_t(index.row())];
   if (index.column() == NameColumn) {
     const QString note = row.note.isEmpty() ? QString() : QStringLiteral("\n") + row.note;
     return row.name + QStringLiteral("\n") + row.place + note;
@@ -100,7 +100,7 @@ QString KeptProbesModel::hintAt(const QModelIndex& index) const {
            QString::number(row.figures->reference, 'f', 3), style::signedFigure(entry->error));
 }
 
-QVariant KeptProbesModel::data(const QModelIndex& index, int role) const {
+QVariant SavedProbesModel::data(const QModelIndex& index, int role) const {
   switch (role) {
     case Qt::DisplayRole:
       return textAt(index);
@@ -123,7 +123,7 @@ QVariant KeptProbesModel::data(const QModelIndex& index, int role) const {
   }
 }
 
-QVariant KeptProbesModel::headerData(int section, Qt::Orientation orientation, int role) const {
+QVariant SavedProbesModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
   const TechniqueColumn* technique = techniqueAt(section);
   const bool marked = technique && technique->id == selected_;
@@ -148,7 +148,7 @@ QVariant KeptProbesModel::headerData(int section, Qt::Orientation orientation, i
   }
 }
 
-bool KeptProbesModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+bool SavedProbesModel::setData(const QModelIndex& index, const QVariant& value, int role) {
   if (role != Qt::EditRole || index.column() != NameColumn) return false;
   emit renamed(index.row(), value.toString());
   return true;
