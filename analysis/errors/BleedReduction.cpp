@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "analysis/errors/CompareMap.h"
-#include "filters/core/prefilter/Prefilter.h"
 
 namespace umbra {
 namespace {
@@ -103,7 +102,9 @@ std::vector<BoundSample> boundSamplesOf(const SurfaceImage& surfaces,
   return samples;
 }
 
-BleedReduction bleedReductionOver(std::span<const BoundSample> samples, double largest) {
+BleedReduction bleedReductionOver(std::span<const BoundSample> samples, double largest,
+                                  std::size_t receivers) {
+  const double count = double(receivers > 0 ? receivers : samples.size());
   BleedReduction found;
   for (const BoundSample& sample : samples)
     if (sample.reference == 0.0) found.amount = std::max(found.amount, sample.bound);
@@ -112,7 +113,7 @@ BleedReduction bleedReductionOver(std::span<const BoundSample> samples, double l
   for (const BoundSample& sample : samples) {
     const double darkening = std::max(0.0, sample.reference - reduced(sample.bound, found.amount));
     found.darkening = std::max(found.darkening, darkening);
-    found.meanDarkening += darkening / double(samples.size());
+    found.meanDarkening += darkening / count;
   }
   return found;
 }
@@ -128,24 +129,9 @@ std::optional<BleedReduction> bleedReductionOfFrame(
 std::optional<BleedReduction> bleedReductionOnMap(const DepthMap& map, const Technique& technique,
                                                   const Kernel& kernel, StorageFormat format,
                                                   double receiver) {
-  const std::optional<double> largest = largestBleedReduction(technique);
-  if (!largest) return std::nullopt;
-  const std::unique_ptr<Technique> bound = withBleedReduction(technique, 0.0);
-  const Image<double> channels = prefilteredMap(map, *bound, kernel, format);
-  const Image<double> reference = referenceMap(map, kernel, receiver);
-  std::vector<BoundSample> samples;
-  samples.reserve(map.values().size());
-  Region place;  // a region without texels: a technique that bounds reads none
-  place.kernel = kernel;
-  for (int y = 0; y < map.height(); ++y)
-    for (int x = 0; x < map.width(); ++x) {
-      place.x = x;
-      place.y = y;
-      place.nearestDepth = map(x, y);
-      samples.push_back(
-          {bound->visibility({channels.pixel(x, y), place}, receiver), reference(x, y)});
-    }
-  return bleedReductionOver(samples, *largest);
+  if (!largestBleedReduction(technique)) return std::nullopt;
+  const std::vector<std::shared_ptr<const Technique>> one{technique.clone()};
+  return figuresOnMap(map, one, kernel, format, receiver).front().reduction;
 }
 
 }  // namespace umbra

@@ -61,7 +61,10 @@ std::vector<BoundSample> boundSamplesOf(const SurfaceImage& surfaces,
 // `largest`, that leaves every receiver in full shadow (reference 0) dark. A penumbra's bound
 // reaches 1 before its reference does, so that no amount below 1 would be enough for receivers in a
 // penumbra.
-BleedReduction bleedReductionOver(std::span<const BoundSample> samples, double largest);
+// `receivers` is how many there are, where samples that no reduction changes, lit at any, are left
+// out; 0 says that none is.
+BleedReduction bleedReductionOver(std::span<const BoundSample> samples, double largest,
+                                  std::size_t receivers = 0);
 
 // The reduction for a frame of the technique, whatever amount it is set to. `samplesOf` measures
 // the frame without any reduction, with the technique that it is given. Nothing where the technique

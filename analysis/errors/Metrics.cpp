@@ -19,6 +19,18 @@ void MetricsSum::add(double visibility, double reference) {
   }
 }
 
+void MetricsSum::add(const MetricsSum& other) {
+  if (other.samples_ == 0) return;
+  max_ = samples_ == 0 ? other.max_ : std::max(max_, other.max_);
+  min_ = samples_ == 0 ? other.min_ : std::min(min_, other.min_);
+  samples_ += other.samples_;
+  umbraSamples_ += other.umbraSamples_;
+  squares_ += other.squares_;
+  positive_ += other.positive_;
+  negative_ += other.negative_;
+  umbra_ += other.umbra_;
+}
+
 Metrics MetricsSum::result() const {
   Metrics m{.samples = samples_, .max = max_, .min = min_};
   if (samples_ == 0) return m;

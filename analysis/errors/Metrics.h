@@ -18,6 +18,8 @@ struct Metrics {
 class MetricsSum {
  public:
   void add(double visibility, double reference);
+  // As if the other's samples had been added after its own; sums of parts are rounded apart.
+  void add(const MetricsSum& other);
   Metrics result() const;
 
  private:

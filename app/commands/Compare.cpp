@@ -154,13 +154,10 @@ void CompareCommand::compareMap(Workspace workspace) const {
       adapted.push_back(chosen[next].technique);
     }
     const StorageFormat format = frame.map.format;
-    const auto metrics =
-        compareOnMap(map, adapted, frame.kernel, format, *session.receiver, throwIfCancelled);
+    const auto figures =
+        figuresOnMap(map, adapted, frame.kernel, format, *session.receiver, throwIfCancelled);
     for (std::size_t i = 0; i < adapted.size(); ++i) {
-      throwIfCancelled();
-      MetricsRow row{
-          std::string(adapted[i]->info().id), metrics[i],
-          bleedReductionOnMap(map, *adapted[i], frame.kernel, format, *session.receiver)};
+      MetricsRow row{std::string(adapted[i]->info().id), figures[i].metrics, figures[i].reduction};
       row.pane = chosen[first + i].pane;
       row.differences = chosen[first + i].differences;
       rows.push_back(std::move(row));

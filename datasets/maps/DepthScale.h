@@ -26,8 +26,8 @@ class DepthScale {
   // Whether one value of the file is another depth at another texel.
   bool dependsOnTexel() const { return projection_.euclidAngle > 0.0; }
 
-  // Of a texel, counted from the map's corner: only a distance to the light depends on it. Depths
-  // are not limited to [0, 1].
+  // Texels count from the map's corner; only a distance to the light depends on them. Depths are
+  // not limited to [0, 1].
   double linearOfFile(double value, int x, int y) const;
   double worldOfFile(double value, int x, int y) const;
   double linearOfWorld(double distance) const;

@@ -28,25 +28,135 @@ void gather(const Channel& channel, double& sum, double value, bool first) {
   }
 }
 
-// Reduces one line of texels in place.
-void reduceLine(std::vector<double>& line, Reduction reduction, const Kernel& kernel,
-                const std::vector<double>& weights) {
+// Reduces one row of texels in place.
+void reduceRow(std::vector<double>& row, Reduction reduction, const Kernel& kernel,
+               const std::vector<double>& weights) {
   const int r = kernel.effectiveRadius();
   switch (reduction) {
     case Reduction::Mean:
       if (kernel.shape == KernelShape::Box)
-        slidingMean(line, r);
+        slidingMean(row, r);
       else
-        slidingWeightedMean(line, weights);
+        slidingWeightedMean(row, weights);
       break;
     case Reduction::Min:
-      slidingMinimum(line, r);
+      slidingMinimum(row, r);
       break;
     case Reduction::Max:
-      slidingMaximum(line, r);
+      slidingMaximum(row, r);
       break;
   }
 }
+
+// One channel of some rows of a map.
+class Plane {
+ public:
+  Plane(int width, int rows) : width_(std::size_t(width)), values_(width_ * std::size_t(rows)) {}
+
+  std::span<double> row(int y) {
+    return std::span(values_).subspan(width_ * std::size_t(y), width_);
+  }
+  std::span<const double> row(int y) const {
+    return std::span(values_).subspan(width_ * std::size_t(y), width_);
+  }
+
+ private:
+  std::size_t width_;
+  std::vector<double> values_;
+};
+
+// Reduces the columns of one plane after another: the same sums as along a row, but a row at a
+// time, so that memory is read in its order and the compiler uses vectors. Edge rows repeat. What
+// it works in is allocated once.
+class ColumnReduction {
+ public:
+  // The plane holds the rows `known` of a map of `height` rows; `rows` are wanted.
+  ColumnReduction(int width, const Rows& known, const Rows& rows, int height, int radius)
+      : known_(known),
+        rows_(rows),
+        height_(height),
+        radius_(radius),
+        result_(width, rows.count),
+        fromLeft_(width, rows.count + 2 * radius),
+        fromRight_(width, rows.count + 2 * radius),
+        right_(std::size_t(width), 0.0) {}
+
+  // The result is valid until the next call.
+  const Plane& run(const Plane& plane, Reduction reduction, const Kernel& kernel,
+                   const std::vector<double>& weights) {
+    if (reduction == Reduction::Min)
+      combine(plane, [](double a, double b) { return std::min(a, b); });
+    else if (reduction == Reduction::Max)
+      combine(plane, [](double a, double b) { return std::max(a, b); });
+    else if (kernel.shape != KernelShape::Box)
+      weigh(plane, weights);
+    else
+      average(plane);
+    return result_;
+  }
+
+ private:
+  // Row `i` of the window of the first row that is wanted.
+  std::span<const double> source(const Plane& plane, int i) const {
+    return plane.row(std::clamp(rows_.first + i - radius_, 0, height_ - 1) - known_.first);
+  }
+
+  void average(const Plane& plane) {
+    combine(plane, [](double a, double b) { return a + b; });
+    for (int y = 0; y < rows_.count; ++y)
+      for (double& value : result_.row(y)) value /= 2 * radius_ + 1;
+  }
+
+  void weigh(const Plane& plane, const std::vector<double>& weights) {
+    for (int y = 0; y < rows_.count; ++y) {
+      const std::span<double> sum = result_.row(y);
+      std::fill(sum.begin(), sum.end(), 0.0);
+      for (std::size_t k = 0; k < weights.size(); ++k) {
+        const std::span<const double> row = source(plane, y + int(k));
+        for (std::size_t x = 0; x < sum.size(); ++x) sum[x] += weights[k] * row[x];
+      }
+    }
+  }
+
+  // van Herk's method, as slidingReduction does it; a block begins where the rows begin.
+  template <class Combine>
+  void combine(const Plane& plane, const Combine& combined) {
+    const int window = 2 * radius_ + 1, needed = rows_.count + 2 * radius_;
+    const auto join = [&](std::span<double> to, std::span<const double> a,
+                          std::span<const double> b) {
+      for (std::size_t x = 0; x < to.size(); ++x) to[x] = combined(a[x], b[x]);
+    };
+    const auto copy = [](std::span<double> to, std::span<const double> from) {
+      std::copy(from.begin(), from.end(), to.begin());
+    };
+    for (int i = 0; i < needed; ++i) {
+      if (i % window == 0)
+        copy(fromLeft_.row(i), source(plane, i));
+      else
+        join(fromLeft_.row(i), fromLeft_.row(i - 1), source(plane, i));
+    }
+    // The last block may reach beyond the rows that are needed; the edge's value is repeated there.
+    const int whole = (needed + window - 1) / window * window;
+    for (int i = whole - 1; i >= 0; --i) {
+      if ((i + 1) % window == 0)
+        copy(right_, source(plane, i));
+      else
+        join(right_, source(plane, i), right_);
+      if (i < needed) copy(fromRight_.row(i), right_);
+    }
+    for (int i = 0; i < rows_.count; ++i) {
+      if (i % window == 0)
+        copy(result_.row(i), fromRight_.row(i));
+      else
+        join(result_.row(i), fromRight_.row(i), fromLeft_.row(i + window - 1));
+    }
+  }
+
+  const Rows known_, rows_;
+  const int height_, radius_;
+  Plane result_, fromLeft_, fromRight_;
+  std::vector<double> right_;
+};
 
 }  // namespace
 
@@ -63,37 +173,59 @@ void encodeTexel(std::span<const double> samples, const Technique& technique,
     if (layout[c].reduction == Reduction::Mean) encoded[c] /= double(samples.size());
 }
 
-Image<double> encodeMap(const DepthMap& map, const Technique& technique, StorageFormat format) {
+namespace {
+
+Image<double> encodedRows(const DepthMap& map, const Technique& technique, StorageFormat format,
+                          const Rows& rows) {
   const std::vector<Channel> layout = technique.channels();
-  Image<double> channels(map.width(), map.height(), int(layout.size()));
-  for (int y = 0; y < map.height(); ++y)
+  Image<double> channels(map.width(), rows.count, int(layout.size()));
+  for (int y = 0; y < rows.count; ++y)
     for (int x = 0; x < map.width(); ++x)
-      encodeTexel(map.pixel(x, y), technique, layout, channels.pixel(x, y));
+      encodeTexel(map.pixel(x, rows.first + y), technique, layout, channels.pixel(x, y));
   storeMap(channels, layout, format);
   return channels;
 }
 
-Image<double> reduceMap(const Image<double>& channels, std::span<const Channel> layout,
-                        const Kernel& kernel) {
-  Image<double> reduced = channels;
-  if (kernel.effectiveRadius() == 0) return reduced;
+}  // namespace
+
+Image<double> encodeMap(const DepthMap& map, const Technique& technique, StorageFormat format) {
+  return encodedRows(map, technique, format, {0, map.height()});
+}
+
+Rows reachedRows(const Kernel& kernel, const Rows& rows, int height) {
+  const int r = kernel.effectiveRadius();
+  const int first = std::max(0, rows.first - r);
+  return {first, std::min(height, rows.first + rows.count + r) - first};
+}
+
+Image<double> reducedRows(const Image<double>& channels, std::span<const Channel> layout,
+                          const Kernel& kernel, const Rows& known, const Rows& rows, int height) {
+  const int width = channels.width(), radius = kernel.effectiveRadius();
   const std::vector<double> weights = kernel.weights();
-  std::vector<double> line;
+  Image<double> reduced(width, rows.count, int(layout.size()));
+  std::vector<double> line(std::size_t(width), 0.0);
+  Plane plane(width, known.count);
+  ColumnReduction columns(width, known, rows, height, radius);
   for (std::size_t c = 0; c < layout.size(); ++c) {
-    line.resize(reduced.width());
-    for (int y = 0; y < reduced.height(); ++y) {
-      for (int x = 0; x < reduced.width(); ++x) line[x] = reduced(x, y, int(c));
-      reduceLine(line, layout[c].reduction, kernel, weights);
-      for (int x = 0; x < reduced.width(); ++x) reduced(x, y, int(c)) = line[x];
+    for (int y = 0; y < known.count; ++y) {
+      for (int x = 0; x < width; ++x) line[std::size_t(x)] = channels(x, y, int(c));
+      if (radius > 0) reduceRow(line, layout[c].reduction, kernel, weights);
+      std::copy(line.begin(), line.end(), plane.row(y).begin());
     }
-    line.resize(reduced.height());
-    for (int x = 0; x < reduced.width(); ++x) {
-      for (int y = 0; y < reduced.height(); ++y) line[y] = reduced(x, y, int(c));
-      reduceLine(line, layout[c].reduction, kernel, weights);
-      for (int y = 0; y < reduced.height(); ++y) reduced(x, y, int(c)) = line[y];
+    const Plane& result = columns.run(plane, layout[c].reduction, kernel, weights);
+    for (int y = 0; y < rows.count; ++y) {
+      const std::span<const double> row = result.row(y);
+      for (int x = 0; x < width; ++x) reduced(x, y, int(c)) = row[std::size_t(x)];
     }
   }
   return reduced;
+}
+
+Image<double> reduceMap(const Image<double>& channels, std::span<const Channel> layout,
+                        const Kernel& kernel) {
+  if (kernel.effectiveRadius() == 0) return channels;
+  const Rows all{0, channels.height()};
+  return reducedRows(channels, layout, kernel, all, all, channels.height());
 }
 
 void storeMap(Image<double>& channels, std::span<const Channel> layout, StorageFormat format) {
@@ -104,12 +236,21 @@ void storeMap(Image<double>& channels, std::span<const Channel> layout, StorageF
         channels(x, y, int(c)) = storedIn(layout[c], channels(x, y, int(c)), format);
 }
 
-Image<double> prefilteredMap(const DepthMap& map, const Technique& technique, const Kernel& kernel,
-                             StorageFormat format) {
+Image<double> prefilteredRows(const DepthMap& map, const Technique& technique, const Kernel& kernel,
+                              StorageFormat format, const Rows& rows) {
   const std::vector<Channel> layout = technique.channels();
-  Image<double> reduced = reduceMap(encodeMap(map, technique, format), layout, kernel);
+  const Rows known = reachedRows(kernel, rows, map.height());
+  const Image<double> encoded = encodedRows(map, technique, format, known);
+  Image<double> reduced = kernel.effectiveRadius() == 0
+                              ? encoded
+                              : reducedRows(encoded, layout, kernel, known, rows, map.height());
   storeMap(reduced, layout, format);
   return reduced;
+}
+
+Image<double> prefilteredMap(const DepthMap& map, const Technique& technique, const Kernel& kernel,
+                             StorageFormat format) {
+  return prefilteredRows(map, technique, kernel, format, {0, map.height()});
 }
 
 std::vector<double> prefilteredRegion(const Region& region, const Technique& technique,

@@ -29,6 +29,20 @@ void storeMap(Image<double>& channels, std::span<const Channel> layout, StorageF
 Image<double> prefilteredMap(const DepthMap& map, const Technique& technique, const Kernel& kernel,
                              StorageFormat format);
 
+// Some rows of the same, to the last bit, where `first` is a multiple of the kernel's window,
+// 2r + 1: the work and the memory are those of these rows and r more on either side.
+struct Rows {
+  int first = 0, count = 0;
+};
+Image<double> prefilteredRows(const DepthMap& map, const Technique& technique, const Kernel& kernel,
+                              StorageFormat format, const Rows& rows);
+// What `reduceMap` gives in these rows of an image of which only some are known: `known` is in
+// `channels` from its top, and holds those that the kernel reaches.
+Image<double> reducedRows(const Image<double>& channels, std::span<const Channel> layout,
+                          const Kernel& kernel, const Rows& known, const Rows& rows, int height);
+// The rows of a map of `height` rows that the kernel reaches from `rows`.
+Rows reachedRows(const Kernel& kernel, const Rows& rows, int height);
+
 // The same for one texel only, computed straight from the taps of its region (regionAtTexel).
 std::vector<double> prefilteredRegion(const Region& region, const Technique& technique,
                                       StorageFormat format);

@@ -172,5 +172,26 @@ TEST(ReadBilinear, MixesTheFourNearestStoredTexels) {
   for (int c = 0; c < whole.channels(); ++c) EXPECT_NEAR(corner[c], whole(0, 7, c), 1e-15);
 }
 
+// Strips of a map are the same bits as the whole, where they begin with a window.
+TEST(PrefilteredRows, AreThoseOfTheWholeMap) {
+  const Image<double> image = noise(19, 47, 3, true);
+  for (const Kernel& kernel : {Kernel{KernelShape::None, 0}, Kernel{KernelShape::Box, 2},
+                               Kernel{KernelShape::Box, 8}, Kernel{KernelShape::Gaussian, 3}}) {
+    const Image<double> whole = reduceMap(image, everyReduction, kernel);
+    const int window = 2 * kernel.effectiveRadius() + 1, high = 2 * window;
+    for (int first = 0; first < image.height(); first += high) {
+      const Rows rows{first, std::min(high, image.height() - first)};
+      const Rows known = reachedRows(kernel, rows, image.height());
+      Image<double> part(image.width(), known.count, 3);
+      std::copy_n(image.pixel(0, known.first).data(), part.values().size(), part.values().begin());
+      const Image<double> found =
+          reducedRows(part, everyReduction, kernel, known, rows, image.height());
+      for (int y = 0; y < rows.count; ++y)
+        for (int x = 0; x < image.width(); ++x)
+          for (int c = 0; c < 3; ++c) EXPECT_EQ(found(x, y, c), whole(x, first + y, c));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace umbra

@@ -1,12 +1,12 @@
 #include "filters/techniques/csm/Csm.h"
 
-#include <cmath>
 #include <string>
 
 #include "Csm_glsl.h"
 #include "Csm_md.h"
 #include "filters/core/technique/TechniqueCatalogue.h"
 #include "filters/techniques/csm/CsmSum.h"
+#include "filters/techniques/csm/Waves.h"
 
 namespace umbra::csm {
 
@@ -33,9 +33,12 @@ std::vector<Parameter> Csm::parameters() {
   return parameters;
 }
 
+bool Csm::isKept() const {
+  return series_.terms() == values.terms && series_.attenuation() == values.attenuation;
+}
+
 FourierSeries Csm::series() const {
-  const bool kept = series_.terms() == values.terms && series_.attenuation() == values.attenuation;
-  return kept ? series_ : FourierSeries(values.terms, values.attenuation);
+  return isKept() ? series_ : FourierSeries(values.terms, values.attenuation);
 }
 
 std::vector<Channel> Csm::channels() const {
@@ -50,14 +53,17 @@ std::vector<Channel> Csm::channels() const {
 }
 
 void Csm::encode(double z, std::span<double> channels) const {
-  for (int k = 1; k <= values.terms; ++k) {  // eq. 14
-    channels[2 * k - 2] = std::sin(frequency(k) * z);
-    channels[2 * k - 1] = std::cos(frequency(k) * z);
+  Waves waves(z);
+  for (int k = 1; k <= values.terms; ++k, waves.next()) {  // eq. 14
+    channels[2 * k - 2] = waves.sine();
+    channels[2 * k - 1] = waves.cosine();
   }
 }
 
 double Csm::visibility(const Fetch& fetch, double receiver) const {
-  return sumOfTerms(*this, series(), fetch.channels, receiver, Unrecorded());
+  // The kept series is not copied: this is called for every texel of a map.
+  return isKept() ? sumOfTerms(*this, series_, fetch.channels, receiver, Unrecorded())
+                  : sumOfTerms(*this, series(), fetch.channels, receiver, Unrecorded());
 }
 
 std::string_view Csm::glsl() const {

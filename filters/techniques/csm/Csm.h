@@ -49,6 +49,8 @@ class Csm final : public TechniqueWith<Csm, CsmParameters> {
   FourierSeries series() const;
 
  private:
+  bool isKept() const;
+
   // Finding the offset takes long, so the series is kept with the parameters that it is for.
   // Only a change of parameters replaces it: visibility() may run in many threads.
   FourierSeries series_;

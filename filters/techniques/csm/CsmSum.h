@@ -2,11 +2,11 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <string>
 
 #include "filters/techniques/csm/Csm.h"
+#include "filters/techniques/csm/Waves.h"
 
 namespace umbra::csm {
 
@@ -22,10 +22,10 @@ double sumOfTerms(const Csm& csm, const FourierSeries& fourier, std::span<const 
     d = record("d", "receiver moved towards the light", "z_r − o", receiver - fourier.offset());
   }
   double sum = 0.5;
-  for (int k = 1; k <= csm.values.terms; ++k) {
-    const double c = frequency(k);
-    const double term = fourier.coefficient(k) * (std::cos(c * d) * channels[2 * k - 2] -
-                                                  std::sin(c * d) * channels[2 * k - 1]);
+  Waves waves(d);
+  for (int k = 1; k <= csm.values.terms; ++k, waves.next()) {
+    const double term = fourier.coefficient(k) *
+                        (waves.cosine() * channels[2 * k - 2] - waves.sine() * channels[2 * k - 1]);
     record.numbered(k)("term", "of frequency (2k − 1)/2", "2(a/c)(cos(c d) S − sin(c d) C)", term);
     sum += term;
   }
