@@ -105,6 +105,20 @@ TEST_F(PlotExport, PdfEmbedsFontsAndKeepsText) {
   }
 }
 
+TEST_F(PlotExport, PdfsOfOnePlotAreTheSameFileWhereTheDateIsGiven) {
+  const fs::path file = folder_ / "dated.pdf";
+  qputenv("SOURCE_DATE_EPOCH", "1000000000");
+  exportPlot(plots_[0], file);
+  const QByteArray first = contentOf(file);
+  qunsetenv("SOURCE_DATE_EPOCH");
+  EXPECT_TRUE(first.contains("/CreationDate (D:20010909014640"));
+  // The table at the end names the byte at which each object begins.
+  const int table = first.lastIndexOf("\nxref") + 1;
+  EXPECT_EQ(first.mid(first.lastIndexOf("startxref") + 10).split('\n').front().toInt(), table);
+  exportPlot(plots_[0], file);
+  EXPECT_FALSE(contentOf(file).contains("/CreationDate (D:20010909014640"));
+}
+
 TEST_F(PlotExport, PngHasTheAskedSizeAndItsColours) {
   for (const Plot& plot : plots_) {
     const fs::path file = folder_ / (plot.name + ".png");

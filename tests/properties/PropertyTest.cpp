@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -35,6 +36,33 @@ TEST_P(EveryTechnique, GivesAVisibilityWhateverItReads) {
     const double receiver = draws::receiverFor(place.region);
     const double visibility = technique->visibility({channels, place.region}, receiver);
     RC_ASSERT(visibility >= 0.0 && visibility <= 1.0);  // this is false for a NaN
+  });
+}
+
+// Depths and receivers so near to 0, to 1 and to each other that squares and differences of them
+// vanish: every setting is defined there, too.
+TEST_P(EveryTechnique, GivesAVisibilityWhereDifferencesVanish) {
+  const double least = std::numeric_limits<double>::denorm_min();
+  const double above = std::nextafter(0.5, 1.0), below = std::nextafter(1.0, 0.0);
+  const std::vector<std::vector<double>> depths{{0.0},        {least},         {1e-162}, {0.5},
+                                                {1.0},        {0.0, 1.0},      {0.5, above},
+                                                {0.0, least}, {1e-162, 1e-160}, {below, 1.0}};
+  draws::fromSeed(1692, [&] {
+    for (const auto& technique : draws::settingsOf(GetParam(), 20))
+      for (const std::vector<double>& texels : depths) {
+        DepthMap map(int(texels.size()), 1);
+        std::copy(texels.begin(), texels.end(), map.values().begin());
+        technique->adapt(map);
+        const Region region = regionAtTexel(map, {KernelShape::Box, 1}, 0, 0);
+        const std::vector<double> channels =
+            prefilteredRegion(region, *technique, StorageFormat::Double);
+        for (double receiver : {0.0, least, 1e-308, 1e-162, 1e-154, 0.5, above, below, 1.0}) {
+          const double visibility = technique->visibility({channels, region}, receiver);
+          EXPECT_TRUE(visibility >= 0.0 && visibility <= 1.0)
+              << draws::described(*technique) << " gives " << visibility << " at " << receiver
+              << " for " << texels.size() << " depths from " << texels[0];
+        }
+      }
   });
 }
 

@@ -4,6 +4,7 @@
 #include <qwt_plot_renderer.h>
 
 #include <QBuffer>
+#include <QDateTime>
 #include <QImage>
 #include <QPainter>
 #include <QPdfWriter>
@@ -75,6 +76,24 @@ QByteArray svgOf(const Plot& plot, QSize size) {
   return buffer.data();
 }
 
+// A PDF tells when it was made. Where SOURCE_DATE_EPOCH is set (reproducible-builds.org) it tells
+// that time, so that the same plot is the same file. Qt writes a date as
+// "/CreationDate (D:20260131235959Z)", with an offset in place of Z elsewhere than in UTC.
+void setSourceDate(QByteArray& pdf) {
+  bool isSet = false;
+  const qint64 seconds = qEnvironmentVariable("SOURCE_DATE_EPOCH").toLongLong(&isSet);
+  const QByteArray key = "/CreationDate (D:";
+  const int at = isSet ? pdf.indexOf(key) : -1;
+  const int end = at < 0 ? -1 : pdf.indexOf(')', at);
+  if (end < 0) return;
+  // The table of the file's objects counts bytes: the length stays.
+  const int start = at + key.size(), length = end - start;
+  const QByteArray date =
+      QDateTime::fromSecsSinceEpoch(seconds, Qt::UTC).toString("yyyyMMddHHmmss").toLatin1() +
+      (length > 15 ? "+00'00'" : "Z");
+  if (date.size() == length) pdf.replace(start, length, date);
+}
+
 QByteArray pdfOf(const Plot& plot, QSize size) {
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
@@ -84,6 +103,7 @@ QByteArray pdfOf(const Plot& plot, QSize size) {
   writer.setPageSize(QPageSize(QSizeF(size), QPageSize::Point, {}, QPageSize::ExactMatch));
   writer.setPageMargins(QMarginsF(0, 0, 0, 0));
   drawOn(writer, *hiddenWidget(plot, size), size);
+  setSourceDate(buffer.buffer());
   return buffer.data();
 }
 

@@ -39,7 +39,8 @@ std::string whyInexact(const FrameSettings& frame, const Technique& technique) {
       technique.refusal(StorageFormat::Unorm16).empty())
     return {};
   return "filter sat: 32-bit sums over the whole map lose the small ones of its exponentials, so "
-         "the picture may be lit where no region is; take bilinear, trilinear or anisotropic";
+         "lit ground may turn dark and shadows light (compare tells by how much); take bilinear, "
+         "trilinear or anisotropic";
 }
 
 }  // namespace umbra

@@ -20,6 +20,7 @@ float umbraVisibilityIn(int layer, float channels[UMBRA_CHANNELS], float receive
   float width = umbra_layer_high[layer] - umbra_layer_low[layer];
   float smallest = umbra_min_variance / (width * width);
   float variance = max(channels[2 * layer + 1] - mean * mean, smallest);
+  if (variance <= 0.0) return 0.0;  // the square of a small distance vanishes, too
   float bound = variance / (variance + distance * distance);  // eq. 3.3
   return clamp((bound - umbra_bleed_reduction) / (1.0 - umbra_bleed_reduction), 0.0, 1.0);
 }

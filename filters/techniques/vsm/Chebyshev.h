@@ -7,10 +7,12 @@ namespace umbra {
 
 // P(x ≥ t) ≤ σ² / (σ² + (t − μ)²) for t > μ, else 1 (Lauritzen 2008, eq. 3.3), with the variance
 // M2 − M1² (eq. 3.2) clamped below. M1, M2 and t are depths of any one warp; minVariance is in the
-// square of their unit and > 0 unless the true variance is. Result in [0,1].
+// square of their unit. Without any variance, what lies behind the mean is dark, however small the
+// distance: its square may vanish. Result in [0,1].
 inline double chebyshevUpperBound(double m1, double m2, double t, double minVariance) {
   if (t <= m1) return 1.0;
   const double variance = std::max(m2 - m1 * m1, minVariance);
+  if (!(variance > 0.0)) return 0.0;
   const double distance = t - m1;
   return variance / (variance + distance * distance);
 }

@@ -13,6 +13,7 @@ float umbraVisibility(float channels[UMBRA_CHANNELS], float receiver) {
   float distance = receiver - mean;
   if (distance <= 0.0) return 1.0;
   float variance = max(channels[1] - mean * mean, umbra_min_variance);  // eq. 3.2
+  if (variance <= 0.0) return 0.0;  // the square of a small distance vanishes, too
   float bound = variance / (variance + distance * distance);            // eq. 3.3
   return clamp((bound - umbra_bleed_reduction) / (1.0 - umbra_bleed_reduction), 0.0, 1.0);
 }
