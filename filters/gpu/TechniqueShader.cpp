@@ -101,6 +101,7 @@ std::string techniqueSource(const Technique& technique, const MapReads& reads) {
   };
   return define("CHANNELS", technique.channels().size()) +
          define("PREFILTERED", technique.info().prefilterable) +
+         define("LAYER_CHANNELS", std::size_t(technique.info().layerChannels)) +
          define("FILTER", filterNumber(reads.filter)) + define("SAMPLES", reads.samples) +
          define("CASCADES", reads.cascades) + define("LARGEST_BOX", ReadSettings::largestSatWidth) +
          define("SAT_PRECISION", satPrecisionNumber(reads.satPrecision)) + ShadowMapRead_glsl +

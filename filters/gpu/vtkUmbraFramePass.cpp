@@ -41,7 +41,7 @@ int viewNumber(ViewMode view, const Technique& technique) {
     case ViewMode::Shaded:
       return 0;
     case ViewMode::Layers:
-      return technique.info().layered ? 4 : 0;
+      return technique.info().layered() ? 4 : 0;
     case ViewMode::Visibility:
       return 1;
     case ViewMode::Error:

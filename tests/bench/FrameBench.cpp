@@ -76,6 +76,21 @@ void cameraMoves(benchmark::State& state, const char* scenery, const char* techn
   countPasses(state, stage.renderer);
 }
 
+// The shading of a layered technique by the number of its layers, which a pixel must not pay for.
+void cameraMovesOverLayers(benchmark::State& state, const char* technique) {
+  Stage stage("tree-bench", technique);
+  const std::unique_ptr<Technique> layered = allTechniques().make(technique);
+  parameterNamed(layered->parameters(), "layers", technique).set(int(state.range(0)), technique);
+  stage.renderer.setTechnique(*layered);
+  stage.renderer.render();
+  for (auto _ : state) {
+    stage.renderer.renderer().GetActiveCamera()->Azimuth(0.01);
+    stage.renderer.render();
+    glFinish();
+  }
+  countPasses(state, stage.renderer);
+}
+
 void filtered(benchmark::State& state, const char* technique, ReadFilter filter) {
   Stage stage("tree-bench", technique);
   stage.settings.read.filter = filter;
@@ -187,6 +202,8 @@ UMBRA_BENCHMARK(vtkAlone, tree_bench_shadow_map_pass, "tree-bench", true, true);
 UMBRA_BENCHMARK(vtkAlone, tree_bench_shadow_map_pass_without_fill, "tree-bench", true, false);
 UMBRA_BENCHMARK(cameraMoves, tree_bench_vsm, "tree-bench", "vsm");
 UMBRA_BENCHMARK(cameraMoves, tree_bench_pcf, "tree-bench", "pcf");
+UMBRA_BENCHMARK(cameraMovesOverLayers, lvsm, "lvsm")->Arg(2)->Arg(8)->Arg(16);
+UMBRA_BENCHMARK(cameraMovesOverLayers, layered_power_cdf, "layered-power-cdf")->Arg(2)->Arg(8);
 UMBRA_BENCHMARK(lightMoves, tree_bench_vsm, "tree-bench", "vsm")->Arg(1)->Arg(3)->Arg(16)->Arg(64);
 UMBRA_BENCHMARK(lightMoves, tree_bench_power_cdf, "tree-bench", "power-cdf")->Arg(3)->Arg(64);
 UMBRA_BENCHMARK(filtered, vsm_point, "vsm", ReadFilter::Point);

@@ -77,7 +77,7 @@ void LayersController::setWatched(bool watched) {
 }
 
 bool LayersController::layered() const {
-  return controller_.technique().info().layered;
+  return controller_.technique().info().layered();
 }
 
 std::optional<Layering> LayersController::layering() const {

@@ -128,7 +128,7 @@ void LayersPane::showHints() {
   if (layers_.layered()) return histogram_->clear(tr("Looking for the map's second occluders …"));
   QStringList layered;
   for (const auto& technique : controller_.techniques())
-    if (technique->info().layered) layered << style::text(technique->info().title);
+    if (technique->info().layered()) layered << style::text(technique->info().title);
   histogram_->clear(
       tr("%1 has no layers. These techniques have:\n%2")
           .arg(style::text(controller_.technique().info().title), layered.join("\n")));

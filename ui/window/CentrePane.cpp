@@ -108,7 +108,7 @@ namespace {
 
 // Says why the picture of a view is the shaded one, or of one colour; empty where it is not.
 QString whyViewShowsNothing(const FrameSettings& frame, const Technique& technique) {
-  if (frame.view == ViewMode::Layers && !technique.info().layered)
+  if (frame.view == ViewMode::Layers && !technique.info().layered())
     return CentrePane::tr("%1 has no layers to show; layered variance (LVSM) has.")
         .arg(shortTitle(technique));
   if (frame.view == ViewMode::Cascades && frame.map.cascades.count == 1)

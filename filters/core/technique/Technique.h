@@ -34,9 +34,13 @@ struct TechniqueInfo {
   std::string_view formula;   // one line, as plain text, for tooltips
   int order = 100;            // place in lists: simple before complicated
   bool upperBound = false;    // never below the reference, in exact arithmetic and at its defaults
-  // Its GLSL also defines `vec2 umbraLayer(float receiver)`: the layer that holds the receiver, and
-  // the weight of the next one.
-  bool layered = false;
+  // How many channels each depth layer has, for a technique that stores several; 0 otherwise. Such
+  // a technique's GLSL has no umbraVisibility but
+  //   vec2 umbraLayer(float receiver);  the layer that holds it, and the weight of the next one
+  //   float umbraVisibilityIn(int layer, float channels[UMBRA_LAYER_CHANNELS], float receiver);
+  // so that a pixel reads the channels of one layer, or of two where they overlap, and no others.
+  int layerChannels = 0;
+  constexpr bool layered() const { return layerChannels > 0; }
   bool prefilterable = true;  // false: visibility reads the region's raw texels
   // An upper limit of the roundings in visibility()'s GLSL, including the scaling of its stored
   // channels: one for an operation, two for a division (reciprocal and product), none for a power

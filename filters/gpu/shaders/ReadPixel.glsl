@@ -1,7 +1,13 @@
 // What one pixel reads: after ShadowMapRead.glsl and the reads of its filter, which define
 // umbraPercentageCloser and umbraReadFour.
 
-float umbraVisibility(float channels[UMBRA_CHANNELS], float receiver);  // the technique's
+// The technique's.
+#if UMBRA_LAYER_CHANNELS > 0
+vec2 umbraLayer(float receiver);
+float umbraVisibilityIn(int layer, float channels[UMBRA_LAYER_CHANNELS], float receiver);
+#else
+float umbraVisibility(float channels[UMBRA_CHANNELS], float receiver);
+#endif
 
 // How many texels on either side of the nearest one the read averages, wherever between texels it
 // is.
@@ -25,7 +31,43 @@ float umbraKernelAt(ivec2 offset) {
 #endif
 }
 
-void umbraReadChannels(out float channels[UMBRA_CHANNELS]) {
+#if UMBRA_LAYER_CHANNELS > 0
+// The channels of one depth layer. Where they lie in two textures, these are read in a loop, because
+// a software renderer would run both sides of a branch.
+void umbraReadLayer(int depthLayer, out float channels[UMBRA_LAYER_CHANNELS]) {
+  int first = depthLayer * UMBRA_LAYER_CHANNELS, last = first + UMBRA_LAYER_CHANNELS - 1;
+#if 4 % UMBRA_LAYER_CHANNELS == 0
+  vec4 four = umbraReadFour(first / 4);
+  for (int c = 0; c < UMBRA_LAYER_CHANNELS; ++c)
+    channels[c] = umbraLow[first + c] + umbraSpan[first + c] * four[(first + c) % 4];
+#else
+  for (int layer = first / 4; layer <= last / 4; ++layer) {
+    vec4 four = umbraReadFour(layer);
+    for (int c = 0; c < UMBRA_LAYER_CHANNELS; ++c) {
+      int channel = first + c;
+      if (channel / 4 == layer)
+        channels[c] = umbraLow[channel] + umbraSpan[channel] * four[channel % 4];
+    }
+  }
+#endif
+}
+
+// The estimate of the layer that holds the receiver, mixed with the next one's within the overlap.
+float umbraVisibilityOfRead(float receiver) {
+  vec2 place = umbraLayer(receiver);
+  float visibility = 0.0;
+  for (int part = 0; part < (place.y > 0.0 ? 2 : 1); ++part) {
+    float channels[UMBRA_LAYER_CHANNELS];
+    int depthLayer = int(place.x) + part;
+    umbraReadLayer(depthLayer, channels);
+    visibility += umbraVisibilityIn(depthLayer, channels, receiver) *
+                  (part == 0 ? 1.0 - place.y : place.y);
+  }
+  return visibility;
+}
+#else
+float umbraVisibilityOfRead(float receiver) {
+  float channels[UMBRA_CHANNELS];
   for (int layer = 0; layer < UMBRA_LAYERS; ++layer) {
     vec4 four = umbraReadFour(layer);
     for (int c = 0; c < 4 && layer * 4 + c < UMBRA_CHANNELS; ++c) {
@@ -33,7 +75,9 @@ void umbraReadChannels(out float channels[UMBRA_CHANNELS]) {
       channels[channel] = umbraLow[channel] + umbraSpan[channel] * four[c];
     }
   }
+  return umbraVisibility(channels, receiver);
 }
+#endif
 
 // `uv` and `footprint` belong to the pixel's own cascade; the read may be of another one. A coarser
 // map has fewer texels in the same place, but a box of a summed-area table is never narrower than
@@ -61,9 +105,7 @@ void umbraSetRead(vec2 uv, vec4 footprint, int cascade) {
 // other case out.
 float umbraOfRead(const bool exact, float receiver) {
   if (exact) return umbraPercentageCloser(receiver);
-  float channels[UMBRA_CHANNELS];
-  umbraReadChannels(channels);
-  return umbraVisibility(channels, receiver);
+  return umbraVisibilityOfRead(receiver);
 }
 
 // Evaluates one pixel: (u, v, z_r, ·), with (u, v) in [0,1] of its cascade's map, and (x, y,

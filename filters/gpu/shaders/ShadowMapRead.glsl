@@ -2,6 +2,7 @@
 // it, so that what a frame does not do costs it nothing (a software renderer executes both sides of
 // a branch):
 //   UMBRA_CHANNELS  of the technique
+//   UMBRA_LAYER_CHANNELS  of each depth layer that the technique stores; 0 where it has no layers
 //   UMBRA_PREFILTERED  0 where the technique reads raw texels
 //   UMBRA_FILTER    0 point, 1 bilinear, 2 trilinear and anisotropic, 3 summed-area table
 //   UMBRA_SAMPLES   depths a texel

@@ -20,7 +20,7 @@ const TechniqueInfo& LayeredPowerCdf::info() const {
           "Stores mean, minimum and maximum of depth in layers, each clamped to its interval.",
       .formula = "v = (1 − t^β) / (1 − (β/(β+1))^β) in φ = clamp((z − p)/(q − p), 0, 1)",
       .order = 80,
-      .layered = true,
+      .layerChannels = 3,
       .colour = "#c08fd8"};
   return info;
 }

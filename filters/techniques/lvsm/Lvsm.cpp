@@ -19,7 +19,7 @@ const TechniqueInfo& Lvsm::info() const {
       .formula = "v = σ² / (σ² + (φ − μ)²) in φ = clamp((z − p)/(q − p), 0, 1) of z_r's layer",
       .order = 50,
       .upperBound = true,
-      .layered = true,
+      .layerChannels = 2,
       .colour = "#7aa6f0"};
   return info;
 }
