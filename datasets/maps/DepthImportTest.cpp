@@ -10,6 +10,7 @@
 #include <fstream>
 #include <limits>
 #include <numbers>
+#include <random>
 
 #include "datasets/maps/DepthFile.h"
 #include "datasets/maps/ExrFile.h"
@@ -264,6 +265,37 @@ TEST_F(DepthImports, ReadsNumPyArrays) {
       {"letter", "is no NumPy array"}};
   for (const auto& [content, reason] : wrong)
     EXPECT_NE(refusal(write("m.npy", content), {}).find(reason), std::string::npos) << reason;
+}
+
+// Damaged files of either kind are read, with depths in [0, 1], or refused with the file's name.
+TEST_F(DepthImports, ReadsOrRefusesTenThousandDamagedFiles) {
+  const std::string pfm = "Pf\n3 2\n-1.0\n" + floatBytes({0.1f, 0.2f, 0.3f, 0.4f, 0.5f, 0.6f});
+  const std::string array = npy("<f4", "False", "(2, 3)", floatBytes({0.1f, 0.2f, 0.3f, 1, 0, 1}));
+  std::mt19937 random(11);
+  int read = 0, refused = 0;
+  for (int i = 0; i < 10'000; ++i) {
+    std::string content = i % 2 ? pfm : array;
+    for (unsigned change = 0; change <= random() % 3; ++change) {
+      const std::size_t at = random() % content.size();
+      if (random() % 4 == 0)
+        content.resize(at + 1);
+      else
+        content[at] = random() % 2 ? char(random()) : "0123456789(),'- "[random() % 16];
+    }
+    const fs::path file = write(i % 2 ? "damaged.pfm" : "damaged.npy", content);
+    try {
+      const DepthMap map = readDepth(file, missing("clamp")).map;
+      for (double depth : map.values())
+        ASSERT_TRUE(depth >= 0.0 && depth <= 1.0) << depth;
+      ++read;
+    } catch (const Error& error) {
+      ASSERT_EQ(error.kind(), ErrorKind::BadInput);
+      ASSERT_TRUE(std::string_view(error.what()).starts_with(file.string())) << error.what();
+      ++refused;
+    }
+  }
+  EXPECT_GT(read, 1000);
+  EXPECT_GT(refused, 1000);
 }
 
 }  // namespace

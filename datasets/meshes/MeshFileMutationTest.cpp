@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "datasets/meshes/MeshFile.h"
+#include "datasets/meshes/MeshFileReader.h"
 #include "datasets/meshes/MeshFileSamples.h"
 #include "datasets/scenes/MeshBuilder.h"
 #include "datasets/scenes/MeshScene.h"
@@ -125,6 +126,32 @@ TEST_P(MeshFileMutation, IsReadSoundlyOrRefused) {
   // The mutations are neither all harmless nor all fatal.
   EXPECT_GT(read, 0);
   EXPECT_GT(refused, 0);
+}
+
+// Many more of them, without a scene around the mesh.
+TEST_P(MeshFileMutation, IsReadSoundlyOrRefusedTenThousandTimes) {
+  Random random(20261128);
+  for (int i = 0; i < 10'000; ++i) {
+    SCOPED_TRACE("mutation " + std::to_string(i));
+    const std::string content = mutated(GetParam().content, random);
+    try {
+      const meshfile::RawMesh raw =
+          meshfile::readMesh(content, std::string(GetParam().extension), "mutated");
+      ASSERT_FALSE(raw.triangles.empty());
+      ASSERT_LT(raw.triangles.size(), 4000u);
+      ASSERT_EQ(raw.triangles.size(), raw.triangleParts.size());
+      for (const auto& triangle : raw.triangles)
+        for (std::uint32_t v : triangle) {
+          ASSERT_LT(v, raw.positions.size());
+          ASSERT_TRUE(raw.positions[v].allFinite());
+        }
+      for (std::uint32_t part : raw.triangleParts) ASSERT_LT(part, raw.parts.size());
+    } catch (const Error& error) {
+      ASSERT_EQ(error.kind(), ErrorKind::BadInput);
+      ASSERT_TRUE(std::string_view(error.what()).starts_with("mutated: ")) << error.what();
+      ASSERT_EQ(std::string_view(error.what()).find('\n'), std::string_view::npos);
+    }
+  }
 }
 
 TEST_P(MeshFileMutation, IsReadSoundlyOrRefusedWhereverItIsCut) {
