@@ -44,9 +44,8 @@ Image<double> referenceRows(const DepthMap& map, const Kernel& kernel, double re
     for (int x = 0; x < map.width(); ++x)
       lit(x, y) = map(x, known.first + y) >= receiver ? 1.0 : 0.0;
   const Channel mean{"lit"};
-  Image<double> reference = kernel.effectiveRadius() == 0
-                                ? lit
-                                : reducedRows(lit, {&mean, 1}, kernel, known, rows, map.height());
+  Image<double> reference =
+      kernel.effectiveRadius() == 0 ? lit : reducedRows(lit, {&mean, 1}, kernel, known, rows);
   // A Gaussian's weights may add up to a little more than 1.
   for (double& value : reference.values()) value = std::min(value, 1.0);
   return reference;
@@ -126,7 +125,7 @@ class RegionReader {
     for (int y = 0; y < known.count; ++y)
       for (int x = 0; x < on.map.width(); ++x)
         depths(x, y, 0) = depths(x, y, 1) = on.map(x, known.first + y);
-    extremes_ = reducedRows(depths, extremes, on.kernel, known, rows, on.map.height());
+    extremes_ = reducedRows(depths, extremes, on.kernel, known, rows);
     for (Region* flat : {&nearest_, &farthest_}) {
       flat->kernel = on.kernel;
       flat->texels = {{0, 0, 0.0, 1.0}};

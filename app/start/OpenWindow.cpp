@@ -29,8 +29,9 @@ bool isScene(const std::string& name) {
 }  // namespace
 
 OpenWindow::OpenWindow(OptionParser& program) : program_(program) {
-  program.addArgument("SCENE", argument_,
-                      {.text = "Scene, mesh file, depth map (" + rasterExtensions() + ") or session (.json)"});
+  program.addArgument(
+      "SCENE", argument_,
+      {.text = "Scene, mesh file, depth map (" + rasterExtensions() + ") or session (.json)"});
   options_.addTo(program);
 }
 

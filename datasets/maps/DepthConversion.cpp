@@ -30,28 +30,27 @@ std::string countOfTexels(std::size_t count) {
 
 void DepthConversion::begin(const RasterInfo& info) {
   info_ = info;
+  // A bound is the number that the file can hold: 0.7 is the float nearest to it.
+  import_.atZero = rounded(import_.atZero, info.number);
+  import_.atOne = rounded(import_.atOne, info.number);
+  if (import_.atZero == import_.atOne)
+    throw Error(ErrorKind::BadInput, where_ + ": both ends of the depth range are " +
+                                         toText(import_.atZero) + " as the file holds them");
   file_.map = DepthMap(info.width, info.height);
   file_.originX = info.originX;
   file_.originY = info.originY;
-  file_.scale =
-      DepthScale(import_.atZero, import_.atOne, import_.projection, 1.0, info.width, info.height);
-  const double value = import_.miss.value;
+  file_.scale = DepthScale(import_.atZero, import_.atOne, import_.projection, 1.0, info);
+  const double value = rounded(import_.miss.value, info.number);
   missIsMark_ = import_.miss.kind == DepthMiss::Kind::Value &&
                 (!std::isfinite(value) || !isInside(value) || value == import_.nearValue());
 }
 
-// A bound counts as the number that the file can hold: 0.7 as the float nearest to it.
 bool DepthConversion::isInside(double value) const {
-  const double low = std::min(import_.atZero, import_.atOne),
-               high = std::max(import_.atZero, import_.atOne);
-  return value >= std::min(low, rounded(low, info_.number)) &&
-         value <= std::max(high, rounded(high, info_.number));
+  return value >= std::min(import_.atZero, import_.atOne) &&
+         value <= std::max(import_.atZero, import_.atOne);
 }
 
 double DepthConversion::read(double value, int x, int y) const {
-  const double low = std::min(import_.atZero, import_.atOne),
-               high = std::max(import_.atZero, import_.atOne);
-  value = std::clamp(value, low, high);
   if (import_.projection.kind == DepthProjection::Kind::Linear)
     return file_.scale.linearOfFile(value, x, y);
   // A texel at the far bound saw nothing, wherever a far plane may be.
@@ -106,8 +105,7 @@ void DepthConversion::scaleDistances() {
     if (std::isfinite(distance)) farthest = std::max(farthest, distance);
   const double near = import_.projection.near;
   if (!(farthest > near)) farthest = 2.0 * near;  // a map that saw nothing, or the near plane alone
-  file_.scale = DepthScale(import_.atZero, import_.atOne, import_.projection, farthest, info_.width,
-                           info_.height);
+  file_.scale = DepthScale(import_.atZero, import_.atOne, import_.projection, farthest, info_);
   for (double& depth : file_.map.values()) {
     const double linear = std::isfinite(depth) ? file_.scale.linearOfWorld(depth) : 1.0;
     // Rounding alone makes depths of the planes differ from 0 and 1.
@@ -116,7 +114,7 @@ void DepthConversion::scaleDistances() {
   }
 }
 
-void DepthConversion::refuse(const std::string& where) const {
+void DepthConversion::refuse() const {
   std::string texels;
   for (const Wrong& wrong : first_)
     texels += (texels.empty() ? "texel " : ", ") + std::to_string(wrong.x) + "," +
@@ -127,14 +125,14 @@ void DepthConversion::refuse(const std::string& where) const {
              std::to_string(lowY_) + " to " + std::to_string(highX_) + "," +
              std::to_string(highY_) + " hold no depth: " + texels;
   throw Error(ErrorKind::BadInput,
-              where + ": " + texels + "; depths are finite numbers from " + toText(import_.atZero) +
-                  " to " + toText(import_.atOne) +
+              where_ + ": " + texels + "; depths are finite numbers from " +
+                  toText(import_.atZero) + " to " + toText(import_.atOne) +
                   "; --depth-miss clamp would take the nearest bound, --depth-miss VALUE names the "
                   "value of texels that saw nothing");
 }
 
-DepthFile DepthConversion::finish(const std::string& where) {
-  if (wrong_ > 0) refuse(where);
+DepthFile DepthConversion::finish() {
+  if (wrong_ > 0) refuse();
   if (import_.projection.kind != DepthProjection::Kind::Linear) scaleDistances();
   if (clamped_ > 0)
     file_.notes.push_back(countOfTexels(clamped_) + " held no depth and became the nearest bound");

@@ -12,13 +12,15 @@ namespace umbra {
 
 class DepthConversion {
  public:
-  explicit DepthConversion(const DepthImport& import) : import_(import) {}
+  // Messages begin with `where`, the file's name.
+  DepthConversion(const DepthImport& import, std::string where)
+      : import_(import), where_(std::move(where)) {}
 
+  // Throws BadInput where the bounds are one number of the file's.
   void begin(const RasterInfo& info);
   void add(int y, std::span<const double> row);
-  // What was read. Throws BadInput with `where` before it, the file's name, for wrong texels that
-  // the import does not say what to do with.
-  DepthFile finish(const std::string& where);
+  // What was read. Throws BadInput for wrong texels that the import does not say what to do with.
+  DepthFile finish();
 
  private:
   struct Wrong {
@@ -31,10 +33,11 @@ class DepthConversion {
   double read(double value, int x, int y) const;
   bool isInside(double value) const;
   double replaced(double value, int x, int y);
-  void refuse(const std::string& where) const;
+  [[noreturn]] void refuse() const;
   void scaleDistances();
 
   DepthImport import_;
+  std::string where_;
   RasterInfo info_;
   DepthFile file_;
   bool missIsMark_ = false;

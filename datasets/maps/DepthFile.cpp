@@ -59,12 +59,14 @@ DepthFile readDepth(const fs::path& file, const DepthImport& import) {
   checkRange(file, import);
   checkInput(file);
   const RasterReader read = rasterReaderOf(file);
-  DepthConversion conversion(import);
-  // A file of any other name is one of OpenEXR, or refused as such.
+  DepthConversion conversion(import, file.string());
+  if (!read && file.has_extension())
+    refuseDepth(file, "is no depth map; those end in " + rasterExtensions());
+  // A file without an extension is one of OpenEXR, or refused as such.
   (read ? read : readExr)(file, import.channel,
                           {[&](const RasterInfo& info) { conversion.begin(info); },
                            [&](int y, std::span<const double> row) { conversion.add(y, row); }});
-  return conversion.finish(file.string());
+  return conversion.finish();
 }
 
 DepthMap readDepthFile(const fs::path& file, const std::string& channel, double atZero,

@@ -138,6 +138,19 @@ TEST_F(DepthImports, TakesABoundAsTheFileHoldsIt) {
   EXPECT_EQ(file.map(0, 0), 0.0);
   EXPECT_EQ(file.map(0, 1), 1.0);
   EXPECT_NE(refusal(put({0.6999999f, 1.0f}, 2), import).find("texel 0,0"), std::string::npos);
+  // Floats nearest to 0.7 and to 0.1 lie on either side of these numbers.
+  for (const auto& [low, high] : {std::pair(0.1, 5.0), {0.0, 0.7}, {0.7, 5.1}, {0.1, 0.7}}) {
+    const DepthMap ends =
+        readDepth(put({float(low), float(high)}, 2), missing("error", low, high)).map;
+    EXPECT_EQ(ends(0, 0), 0.0) << low;
+    EXPECT_EQ(ends(1, 0), 1.0) << high;
+  }
+  EXPECT_NE(refusal(put({1.0f}, 1), missing("error", 1.0, 1.0 + 1e-9)).find("both ends"),
+            std::string::npos);
+  // The value that saw nothing is the bound as the file holds it.
+  DepthImport infinite = projected("infinite:0.5");
+  infinite.atOne = 0.7;
+  EXPECT_LT(readDepth(put({0.35f, 0.7f}, 2), infinite).scale.far(), 1.1);
   // Reversed: the larger value is the nearer one.
   std::swap(import.atZero, import.atOne);
   EXPECT_EQ(readDepth(put({0.7f, 5.0f}, 2), import).map(0, 0), 1.0);
@@ -285,8 +298,7 @@ TEST_F(DepthImports, ReadsOrRefusesTenThousandDamagedFiles) {
     const fs::path file = write(i % 2 ? "damaged.pfm" : "damaged.npy", content);
     try {
       const DepthMap map = readDepth(file, missing("clamp")).map;
-      for (double depth : map.values())
-        ASSERT_TRUE(depth >= 0.0 && depth <= 1.0) << depth;
+      for (double depth : map.values()) ASSERT_TRUE(depth >= 0.0 && depth <= 1.0) << depth;
       ++read;
     } catch (const Error& error) {
       ASSERT_EQ(error.kind(), ErrorKind::BadInput);

@@ -7,14 +7,15 @@
 namespace umbra {
 
 DepthScale::DepthScale(double atZero, double atOne, const DepthProjection& projection,
-                       double farthest, int width, int height)
+                       double farthest, const RasterInfo& info)
     : atZero_(atZero),
       atOne_(atOne),
       projection_(projection),
       near_(atZero),
       far_(atOne),
-      width_(width),
-      height_(height) {
+      width_(info.width),
+      height_(info.height),
+      number_(info.number) {
   if (projection.kind == DepthProjection::Kind::Linear) return;
   near_ = projection.near;
   far_ = projection.far > 0.0 ? projection.far : farthest;
@@ -67,9 +68,10 @@ std::optional<GivenDepth> givenDepthFrom(std::string_view text) {
 double linearOf(const GivenDepth& given, const DepthScale& scale, int x, int y) {
   switch (given.measure) {
     case GivenDepth::Measure::World:
-      return scale.linearOfWorld(given.value);
+      return scale.linearOfFile(scale.stored(scale.fileOf(scale.linearOfWorld(given.value), x, y)),
+                                x, y);
     case GivenDepth::Measure::File:
-      return scale.linearOfFile(given.value, x, y);
+      return scale.linearOfFile(scale.stored(given.value), x, y);
     case GivenDepth::Measure::Linear:
       break;
   }

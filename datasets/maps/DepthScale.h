@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "datasets/maps/DepthProjection.h"
+#include "datasets/maps/Raster.h"
 
 namespace umbra {
 
@@ -16,7 +17,7 @@ class DepthScale {
   // `atZero` and `atOne` are the file's values of window depth 0 and 1. `farthest` is where linear
   // depth is 1, in world units, for a projection that names no far plane.
   DepthScale(double atZero, double atOne, const DepthProjection& projection, double farthest,
-             int width, int height);
+             const RasterInfo& info);
 
   // World distances where linear depth is 0 and 1. Without a projection the file's values are the
   // world's.
@@ -33,6 +34,8 @@ class DepthScale {
   double linearOfWorld(double distance) const;
   double fileOf(double linear, int x, int y) const;
   double worldOf(double linear) const;
+  // The value as the file holds it.
+  double stored(double value) const { return rounded(value, number_); }
 
  private:
   // The distance to the light over the distance to its plane.
@@ -42,6 +45,7 @@ class DepthScale {
   DepthProjection projection_;
   double near_ = 0.0, far_ = 1.0;
   int width_ = 1, height_ = 1;
+  RasterNumber number_ = RasterNumber::Double;
 };
 
 // A depth as a person gives it: "0.7" is linear, "6w" in world units, "0.97778f" the file's value.
@@ -52,6 +56,8 @@ struct GivenDepth {
 };
 // Nothing where the text is none of these.
 std::optional<GivenDepth> givenDepthFrom(std::string_view text);
+// A depth in the file's or the world's measure is that of a texel which holds it: it is rounded as
+// the file's values are, so that such a texel lights it.
 double linearOf(const GivenDepth& given, const DepthScale& scale, int x, int y);
 
 }  // namespace umbra

@@ -64,10 +64,15 @@ void readPfm(const fs::path& file, const std::string& channel, const RasterSink&
   if (problem != std::errc() || end != scaleWord.data() + scaleWord.size() || scale == 0.0 ||
       !std::isfinite(scale))
     refusePfm(file, "should say a scale that is not 0, below 0 for little-endian floats");
+  // The one blank after the scale was removed; where lines end in CR and LF, half of it.
+  if (rest.data()[-1] == '\r' && rest.starts_with('\n')) rest.remove_prefix(1);
   const std::size_t bytes = 4 * std::size_t(width) * std::size_t(height);
   if (rest.size() < bytes)
     refusePfm(file, "is truncated: it promises " + std::to_string(bytes) +
                         " bytes of values and has " + std::to_string(rest.size()));
+  if (rest.size() > bytes)
+    refusePfm(file, "has " + std::to_string(rest.size() - bytes) +
+                        " bytes more than its values take, so that where these begin is in doubt");
   sink.begin({width, height, 0, 0, RasterNumber::Float});
   std::vector<double> row(std::size_t(width), 0.0);
   for (int y = 0; y < height; ++y) {

@@ -140,6 +140,10 @@ std::string unchanged(const std::string& path, void*) {
 
 // The first line of what TinyGLTF says.
 std::string firstLine(const std::string& said) {
+  const std::size_t reason = said.find("the buffer ");
+  if (reason != std::string::npos)
+    return clipped(
+        trimmed(std::string_view(said).substr(reason, said.find('\n', reason) - reason)));
   const std::string_view line = trimmed(std::string_view(said).substr(0, said.find('\n')));
   return line.empty() ? "it has no reason to give" : clipped(line);
 }
@@ -156,6 +160,8 @@ GltfFile::GltfFile(std::string_view content, const std::string& name)
     if (lists(json, "extensionsRequired", extension))
       refuse(name, "needs the extension " + std::string(extension) +
                        ", which is not read; export without it");
+  if (lists(json, "extensionsUsed", "EXT_mesh_gpu_instancing"))
+    notes_.push_back("of its instances one is shown");
   if (has(json, "skins")) notes_.push_back("its skins were not applied");
   if (has(json, "animations")) notes_.push_back("it is shown as it stands before its animations");
 

@@ -6,6 +6,7 @@
 
 #include <fstream>
 
+#include "datasets/meshes/MeshFileReader.h"
 #include "datasets/meshes/MeshFileSamples.h"
 #include "datasets/scenes/MeshScene.h"
 #include "filters/core/support/Error.h"
@@ -95,6 +96,20 @@ TEST_F(Gltf, RefusesWhatLiesOutsideOfItsBuffers) {
   EXPECT_HAS(refusal(changed(text, R"("POSITION": 0)", R"("POSITION": 7)")), "accessor 7");
   EXPECT_HAS(refusal(changed(text, R"("mesh": 0)", R"("mesh": 3)")), "mesh 3");
   EXPECT_HAS(refusal(changed(text, R"("nodes": [0])", R"("nodes": [0, 0])")), "twice");
+}
+
+TEST_F(Gltf, KeepsOnlyTheVerticesThatAPartUses) {
+  // Many parts that draw one triangle each out of one list, as exporters write materials.
+  std::string parts;
+  for (int i = 0; i < 50; ++i) parts += R"({"attributes": {"POSITION": 0}, "indices": 2},)";
+  std::string text = changed(cubeGltfText(), R"("primitives": [)", R"("primitives": [)" + parts);
+  text = changed(text, R"("bufferViews")", R"("unused": 0, "bufferViews")");
+  text = changed(
+      text, R"("type": "SCALAR"})",
+      R"("type": "SCALAR"}, {"bufferView": 1, "componentType": 5123, "count": 3, "type": "SCALAR"})");
+  const meshfile::RawMesh raw = meshfile::readRawMesh(put("a.gltf", text));
+  EXPECT_EQ(raw.triangles.size(), 62u);
+  EXPECT_EQ(raw.positions.size(), 8u + 50u * 3u);
 }
 
 TEST_F(Gltf, SaysWhatItDoesNotRead) {

@@ -19,7 +19,8 @@ std::string MeshReport::summary() const {
   count(degenerateFaces, "without area", "left out");
   count(shortFaces, "of fewer than three vertices", "left out");
   count(nonFiniteFaces, "with coordinates that are not finite", "left out");
-  count(crossedFaces, "that are bent or cross themselves", "cut into triangles that may be wrong");
+  count(crossedFaces, "with bends or edges that cross", "cut into triangles that may be wrong");
+  count(longFaces, "of very many corners", "cut into triangles that may be wrong");
   for (const std::string& note : notes) add(note);
   return text;
 }

@@ -22,6 +22,7 @@ struct MeshReport {
   std::size_t shortFaces = 0;       // of fewer than three vertices: left out
   std::size_t nonFiniteFaces = 0;   // with coordinates that are not finite numbers: left out
   std::size_t crossedFaces = 0;     // polygons that cross themselves or are bent, cut somehow
+  std::size_t longFaces = 0;        // polygons of too many corners, cut somehow
   bool normalsComputed = false;     // because they were absent, or several at one vertex
   std::vector<std::string> notes;   // one clause for each other doubtful reading
 

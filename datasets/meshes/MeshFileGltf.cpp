@@ -133,8 +133,7 @@ class GltfReader {
 
   void addPrimitive(const tinygltf::Primitive& primitive, int positions,
                     const Eigen::Affine3d& placement) {
-    const auto first = std::uint32_t(mesh_.positions.size());
-    const std::vector<double> points = file_.values(positions, 3);
+    const std::vector<double>& points = values(positions_, positions);
     const std::size_t count = points.size() / 3;
     std::vector<std::uint32_t> corners;
     if (primitive.indices >= 0) {
@@ -148,30 +147,48 @@ class GltfReader {
       for (std::size_t v = 0; v < count; ++v) corners.push_back(std::uint32_t(v));
     }
     triangles_ += corners.size() / (primitive.mode == TINYGLTF_MODE_TRIANGLES ? 3 : 1);
-    if (triangles_ > mostTriangles || mesh_.positions.size() + count > 3 * mostTriangles)
+    if (triangles_ > mostTriangles)
       refuse(name_, "shows more than " + std::to_string(mostTriangles / 1'000'000) +
                         " million triangles, its instances counted");
-    for (std::size_t v = 0; v < count; ++v)
-      mesh_.positions.push_back(placement *
-                                Vector3d(points[3 * v], points[3 * v + 1], points[3 * v + 2]));
-    addNormals(primitive, first, count, placement);
-    addFaces(primitive.mode, corners, first, placement.linear().determinant() < 0.0);
+    addVertices(primitive, points, corners, placement);
+    addFaces(primitive.mode, corners, placement.linear().determinant() < 0.0);
   }
 
-  void addNormals(const tinygltf::Primitive& primitive, std::uint32_t first, std::size_t count,
-                  const Eigen::Affine3d& placement) {
+  // The values of an accessor that the primitive before often had, too: many draw parts of one
+  // list.
+  struct Values {
+    int accessor = -1;
+    std::vector<double> numbers;  // three for each vertex
+  };
+  const std::vector<double>& values(Values& last, int accessor) const {
+    if (last.accessor != accessor) last = {accessor, file_.values(accessor, 3)};
+    return last.numbers;
+  }
+
+  // Adds the vertices that the corners refer to, each once and no others, and makes the corners
+  // refer to those of the whole mesh.
+  void addVertices(const tinygltf::Primitive& primitive, const std::vector<double>& points,
+                   std::vector<std::uint32_t>& corners, const Eigen::Affine3d& placement) {
     const auto given = primitive.attributes.find("NORMAL");
-    if (given == primitive.attributes.end()) return;
-    const std::vector<double> normals = file_.values(given->second, 3);
+    const bool hasNormals = given != primitive.attributes.end();
+    const std::vector<double>& normals = hasNormals ? values(normals_, given->second) : points;
     const Eigen::Matrix3d turn = placement.linear().inverse().transpose();
-    for (std::size_t v = 0; v < std::min(count, normals.size() / 3); ++v)
-      mesh_.setNormal(first + std::uint32_t(v),
-                      turn * Vector3d(normals[3 * v], normals[3 * v + 1], normals[3 * v + 2]));
+    std::vector<std::uint32_t> places(points.size() / 3, UINT32_MAX);
+    for (std::uint32_t& corner : corners) {
+      const std::size_t v = 3 * std::size_t(corner);
+      std::uint32_t& place = places[corner];
+      if (place == UINT32_MAX) {
+        place = std::uint32_t(mesh_.positions.size());
+        mesh_.positions.push_back(placement * Vector3d(points[v], points[v + 1], points[v + 2]));
+        if (hasNormals && v + 2 < normals.size())
+          mesh_.setNormal(place, turn * Vector3d(normals[v], normals[v + 1], normals[v + 2]));
+      }
+      corner = place;
+    }
   }
 
   // A placement that mirrors turns faces round.
-  void addFaces(int mode, const std::vector<std::uint32_t>& corners, std::uint32_t first,
-                bool mirrored) {
+  void addFaces(int mode, const std::vector<std::uint32_t>& corners, bool mirrored) {
     const bool isList = mode == TINYGLTF_MODE_TRIANGLES;
     for (std::size_t i = isList ? 0 : 2; isList ? i + 2 < corners.size() : i < corners.size();
          i += isList ? 3 : 1) {
@@ -185,7 +202,7 @@ class GltfReader {
       else
         face = {corners[i - 1], corners[i - 2], corners[i]};
       if (mirrored) std::swap(face[1], face[2]);
-      for (std::uint32_t corner : face) mesh_.corners.push_back(first + corner);
+      for (std::uint32_t corner : face) mesh_.corners.push_back(corner);
       mesh_.endFace();
     }
   }
@@ -193,6 +210,7 @@ class GltfReader {
   const std::string& name_;
   const GltfFile file_;
   const tinygltf::Model& model_;
+  Values positions_, normals_;
   std::vector<std::string> materialNames_;
   std::vector<bool> isVisited_;  // each node
   std::size_t leftOut_ = 0, triangles_ = 0;

@@ -15,6 +15,10 @@ class ObjReader {
   ObjReader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
 
   PolygonMesh run() {
+    if (text_.substr(0, 256).find('\0') != std::string_view::npos)
+      refuse(name_,
+             "holds zero bytes where text should be, as UTF-16 without its mark does; save it "
+             "as UTF-8");
     readVectors();
     if (!normals_.empty()) mesh_.normals.assign(mesh_.positions.size(), Eigen::Vector3f::Zero());
     readFaces();

@@ -40,6 +40,7 @@ class OffReader {
     if (!known || letters.find_first_of("4n") != std::string_view::npos)
       refuse(name_, "is no OFF file of points in space; those begin with 'OFF'");
     hasNormals_ = letters.find('N') != std::string_view::npos;
+    hasExtras_ = letters.find_first_of("CST") != std::string_view::npos;
     left_ = digits.empty() ? words : left_.substr(std::size_t(digits.data() - left_.data()));
     std::string_view after = left_;
     if (nextWord(after) == "BINARY")
@@ -59,19 +60,22 @@ class OffReader {
   }
 
   void readCounts() {
-    const auto vertices = wholeFrom(word()), faces = wholeFrom(word());
+    const auto vertices = wholeFrom(word());
+    const bool onOneLine = !trimmed(left_).empty();
+    const auto faces = wholeFrom(word());
     if (!vertices || !faces || *vertices < 0 || *faces < 0)
       refuse(name_, "does not say how many vertices and faces it has");
     vertices_ = std::size_t(*vertices);
     faces_ = std::size_t(*faces);
-    // What follows on the line is the number of edges, which many files give as 0.
+    // Then follows the number of edges, which many files give as 0 and some leave out.
+    if (!onOneLine && trimmed(left_).empty()) word();
     left_ = {};
   }
 
   [[noreturn]] void truncated(const char* what) const {
     refuse(name_, "is truncated: it promises " + std::to_string(vertices_) + " vertices and " +
                       std::to_string(faces_) + " faces, but ends after " + std::to_string(read_) +
-                      " " + what);
+                      " " + what + "; each has a line of its own");
   }
 
   Eigen::Vector3d vector() {
@@ -89,6 +93,9 @@ class OffReader {
   void readVertex() {
     mesh_.positions.push_back(vector());
     if (hasNormals_) mesh_.setNormal(std::uint32_t(read_), vector());
+    if (!trimmed(left_).empty() && !hasExtras_ && read_ == 0)
+      mesh_.notes.push_back(
+          "its vertices have more numbers than its first word says; these were left out");
     left_ = {};  // colours and texture coordinates
   }
 
@@ -117,7 +124,7 @@ class OffReader {
   TextLines lines_;
   const std::string& name_;
   std::string_view left_;  // what is yet to be read of a line
-  bool hasNormals_ = false;
+  bool hasNormals_ = false, hasExtras_ = false;
   std::size_t vertices_ = 0, faces_ = 0, read_ = 0;
   PolygonMesh mesh_;
 };

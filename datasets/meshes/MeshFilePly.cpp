@@ -38,6 +38,9 @@ class PlyReader {
       // The elements after the faces are not needed, and often are of unusual kinds.
       if (&element == last_ && header_.unknownLines == 0) break;
     }
+    const bool wasLast = last_ == &header_.elements.back();
+    if (wasLast && header_.unknownLines == 0 && values_.hasMore())
+      mesh_.notes.push_back("what follows the promised values was left out");
     checkUnknownLines();
     return std::move(mesh_);
   }

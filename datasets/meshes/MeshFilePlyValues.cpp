@@ -40,7 +40,11 @@ double PlyValues::real(const PlyType& type) {
 std::int64_t PlyValues::whole(const PlyType& type) {
   if (format_ == PlyFormat::Ascii) {
     const std::string_view found = word();
-    const std::optional<std::int64_t> value = wholeFrom(found);
+    std::optional<std::int64_t> value = wholeFrom(found);
+    // A type of real numbers writes 4 as 4.0.
+    const std::optional<double> number = type.real && !value ? realFrom(found) : std::nullopt;
+    if (number && std::floor(*number) == *number && std::abs(*number) < 1e15)
+      value = std::int64_t(*number);
     if (!value) throw PlyProblem{false, std::string(found)};
     return *value;
   }

@@ -19,10 +19,6 @@ double turn(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
   return std::abs(difference) > 4e-16 * (std::abs(left) + std::abs(right)) ? difference : 0.0;
 }
 
-// Tests of an edge against a triangle that one polygon may take: some seconds. Only polygons with
-// tens of thousands of corners need more.
-constexpr std::uint64_t mostTests = 2'000'000'000;
-
 // The part of a segment that lies inside all half planes added so far, as an open interval of its
 // parameter.
 class InsidePart {
@@ -54,16 +50,17 @@ class EarClipping {
     return turnsOnce();
   }
 
-  Triangulated run() {
+  Triangulated run(std::uint64_t& testsLeft) {
     Triangulated result;
     double covered = 0.0, signedSum = 0.0;
     std::size_t at = 1, tried = 0;
     while (ring_.size() >= 3) {
       at %= ring_.size();
-      const bool isStuck = tried >= ring_.size() || tests_ > mostTests;
+      if (testsLeft < ring_.size()) return cutAsConvex(std::move(result));
+      const bool isStuck = tried >= ring_.size();
       if (isStuck) at = flattest();
       const double area = turnAt(at);
-      if (area == 0.0 || isStuck || (area > 0.0 && isEar(at))) {
+      if (area == 0.0 || isStuck || (area > 0.0 && isEar(at, testsLeft))) {
         if (area != 0.0) result.triangles.push_back({before(at), ring_[at], after(at)});
         covered += std::abs(area);
         signedSum += area;
@@ -87,6 +84,13 @@ class EarClipping {
     return turn(points_[before(i)], points_[ring_[i]], points_[after(i)]);
   }
 
+  Triangulated cutAsConvex(Triangulated result) const {
+    for (std::size_t i = 2; i < ring_.size(); ++i)
+      result.triangles.push_back({ring_[0], ring_[i - 1], ring_[i]});
+    result.hasTooManyCorners = true;
+    return result;
+  }
+
   std::size_t flattest() const {
     std::size_t best = 0;
     for (std::size_t i = 1; i < ring_.size(); ++i)
@@ -105,8 +109,8 @@ class EarClipping {
     return changes <= 2;
   }
 
-  bool isEar(std::size_t at) {
-    tests_ += ring_.size();
+  bool isEar(std::size_t at, std::uint64_t& testsLeft) const {
+    testsLeft -= ring_.size();
     const Vector2d &a = points_[before(at)], &b = points_[ring_[at]], &c = points_[after(at)];
     const Vector2d low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
     for (std::size_t i = 0; i < ring_.size(); ++i) {
@@ -125,7 +129,6 @@ class EarClipping {
 
   std::vector<Vector2d> points_;
   std::vector<std::uint32_t> ring_;  // the corners that are left
-  std::uint64_t tests_ = 0;
 };
 
 // Newell's method: it adds up the corners' cross products, relative to one of them.
@@ -152,11 +155,11 @@ std::vector<Vector2d> seenAlongAxis(std::span<const Vector3d> corners) {
 
 }  // namespace
 
-Triangulated triangulated(std::span<const Vector3d> corners) {
+Triangulated triangulated(std::span<const Vector3d> corners, std::uint64_t& testsLeft) {
   const auto n = std::uint32_t(corners.size());
-  if (n == 3) return {{{0, 1, 2}}, false};
+  if (n == 3) return {{{0, 1, 2}}, false, false};
   EarClipping clipping(seenAlongAxis(corners));
-  if (!clipping.isConvex()) return clipping.run();
+  if (!clipping.isConvex()) return clipping.run(testsLeft);
   Triangulated fan;
   for (std::uint32_t i = 2; i < n; ++i) fan.triangles.push_back({0, i - 1, i});
   return fan;

@@ -13,9 +13,9 @@ struct Triangulated {
   // Each triangle's corners, as indices of the polygon's, in the polygon's sense of turning. Where
   // the polygon is simple, the triangles cover it and nothing else; ones without area are left out.
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  // Whether the polygon crosses itself, so that no set of triangles is right, or has so many
-  // corners that none was found in time.
+  // Whether the polygon crosses itself, so that no set of triangles is right.
   bool crossesItself = false;
+  bool hasTooManyCorners = false;  // to be cut rightly in time
 };
 
 // Ear clipping (Meisters 1975) with the care for polygons that touch themselves that Held's FIST
@@ -23,6 +23,11 @@ struct Triangulated {
 // times. A corner is cut off where no edge of what is left meets the inside of its triangle; a
 // corner without an area is dropped. The corners may be a little off one plane: they are seen along
 // the axis to which the polygon is most perpendicular.
-Triangulated triangulated(std::span<const Eigen::Vector3d> corners);
+// `testsLeft` counts down the tests of an edge against a corner's triangle, whose number grows with
+// the square of the corners; when it is 0, what is left of the polygon is cut as if it were convex.
+Triangulated triangulated(std::span<const Eigen::Vector3d> corners, std::uint64_t& testsLeft);
+
+// As many tests as take about a second.
+inline constexpr std::uint64_t manyTests = 600'000'000;
 
 }  // namespace umbra::meshfile

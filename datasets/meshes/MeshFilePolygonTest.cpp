@@ -133,6 +133,11 @@ Vector3d areaVector(const std::vector<Vector3d>& corners) {
   return sum;
 }
 
+Triangulated cutOf(const std::vector<Vector3d>& corners) {
+  std::uint64_t testsLeft = manyTests;
+  return triangulated(corners, testsLeft);
+}
+
 // The sum of the triangles' areas, which no triangle that lies outside or is turned round can make
 // right.
 double coveredArea(const std::vector<Vector3d>& corners, const Triangulated& cut) {
@@ -152,7 +157,7 @@ TEST(MeshFilePolygon, HasTheExactAreaOfTenThousandPolygonsWithHoles) {
   std::size_t withHoles = 0;
   for (int i = 0; i < 10'000; ++i) {
     const Drawn drawn = drawPolygon(random);
-    const Triangulated cut = triangulated(drawn.corners);
+    const Triangulated cut = cutOf(drawn.corners);
     SCOPED_TRACE("polygon " + std::to_string(i));
     ASSERT_FALSE(cut.crossesItself);
     // Rounding of a thousand units to the sixteenth place, over some hundred products.
@@ -168,21 +173,21 @@ TEST(MeshFilePolygon, CutsAHoleWhoseBridgeStartsAnywhere) {
   for (std::size_t start = 0; start < plate.size(); ++start) {
     std::vector<Vector3d> corners = plate;
     std::rotate(corners.begin(), corners.begin() + std::ptrdiff_t(start), corners.end());
-    EXPECT_DOUBLE_EQ(coveredArea(corners, triangulated(corners)), 12.0) << start;
+    EXPECT_DOUBLE_EQ(coveredArea(corners, cutOf(corners)), 12.0) << start;
     std::reverse(corners.begin(), corners.end());
-    EXPECT_DOUBLE_EQ(coveredArea(corners, triangulated(corners)), 12.0) << start;
+    EXPECT_DOUBLE_EQ(coveredArea(corners, cutOf(corners)), 12.0) << start;
   }
 }
 
 TEST(MeshFilePolygon, SaysThatAPolygonCrossesItself) {
   // An hourglass of different halves: its signed area is not 0, its edges cross.
   const std::vector<Vector3d> hourglass{{0, 0, 0}, {2, 0, 0}, {0, 3, 0}, {3, 3, 0}};
-  EXPECT_TRUE(triangulated(hourglass).crossesItself);
+  EXPECT_TRUE(cutOf(hourglass).crossesItself);
   // A star of five points turns left at each corner, twice round.
   std::vector<Vector3d> star;
   for (int i = 0; i < 5; ++i)
     star.emplace_back(std::cos(i * 2.513274), std::sin(i * 2.513274), 0.0);
-  EXPECT_TRUE(triangulated(star).crossesItself);
+  EXPECT_TRUE(cutOf(star).crossesItself);
 }
 
 TEST(MeshFilePolygon, TakesAPolygonOfManyCorners) {
@@ -190,9 +195,13 @@ TEST(MeshFilePolygon, TakesAPolygonOfManyCorners) {
   for (int i = 0; i < 2000; ++i) comb.emplace_back(i, i % 2 ? 5.0 : 0.0, 0.0);
   comb.emplace_back(1999, -1, 0), comb.emplace_back(0, -1, 0);
   std::reverse(comb.begin(), comb.end());
-  const Triangulated cut = triangulated(comb);
+  const Triangulated cut = cutOf(comb);
   EXPECT_FALSE(cut.crossesItself);
   EXPECT_NEAR(coveredArea(comb, cut), 1999 * 3.5, 1e-6);
+  std::uint64_t few = 10'000;
+  const Triangulated hurried = triangulated(comb, few);
+  EXPECT_TRUE(hurried.hasTooManyCorners);
+  EXPECT_FALSE(hurried.crossesItself);
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ class Triangulation {
  private:
   void add(std::size_t f) {
     const std::span<const std::uint32_t> face = polygons_.face(f);
-    // What no float can hold would make a dot of everything else.
+    // Values beyond those of a float are damage.
     const auto isFinite = [&](std::uint32_t v) {
       return (raw_.positions[v].array().abs() <= double(std::numeric_limits<float>::max())).all();
     };
@@ -68,8 +68,9 @@ class Triangulation {
     } else {
       corners_.clear();
       for (std::uint32_t v : face) corners_.push_back(raw_.positions[v]);
-      const Triangulated cut = triangulated(corners_);
+      const Triangulated cut = triangulated(corners_, testsLeft_);
       raw_.report.crossedFaces += cut.crossesItself;
+      raw_.report.longFaces += cut.hasTooManyCorners;
       for (const Triangle& t : cut.triangles) keep({face[t[0]], face[t[1]], face[t[2]]}, f);
     }
     raw_.report.degenerateFaces += raw_.triangles.size() == before;
@@ -84,6 +85,7 @@ class Triangulation {
   const PolygonMesh& polygons_;
   RawMesh& raw_;
   std::vector<Vector3d> corners_;
+  std::uint64_t testsLeft_ = manyTests;  // of the whole file
 };
 
 }  // namespace

@@ -111,8 +111,7 @@ PolygonMesh readStlBinary(std::string_view content, const std::string& name) {
     refuse(name, "is no STL file, or truncated: one has 84 bytes or more, or begins with 'solid'");
   const std::uint32_t promised = promisedFacets(content);
   const std::size_t there = (content.size() - stlHeader) / stlFacet;
-  const bool byLength =
-      isPlaceholder(promised) && there > 0 && (content.size() - stlHeader) % stlFacet == 0;
+  const bool byLength = isPlaceholder(promised) && there > 0;
   if (there < promised && !byLength)
     refuse(name, "is truncated: it promises " + std::to_string(promised) + " facets, but has " +
                      std::to_string(there));
@@ -141,7 +140,8 @@ PolygonMesh readStlBinary(std::string_view content, const std::string& name) {
 bool isText(std::string_view content, std::string_view text) {
   if (hasBinaryLength(content)) return false;
   while (!text.empty() && trimmed(text.substr(0, 1)).empty()) text.remove_prefix(1);
-  if (lowered(text.substr(0, 5)) != "solid") return false;
+  const std::string first = lowered(text.substr(0, 5));
+  if (first != "solid" && first != "facet") return false;
   return text.substr(0, 1000).find('\0') == std::string_view::npos;
 }
 

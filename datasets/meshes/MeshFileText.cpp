@@ -58,8 +58,9 @@ bool endsInBackslash(std::string_view line) {
 // Whether a backslash at the line's end joins it with the next. Comments and names may end so by
 // chance, as paths of Windows do.
 bool mayJoin(std::string_view line) {
+  if (line.find('#') != std::string_view::npos) return false;
   const std::string_view key = nextWord(line);
-  return key.front() != '#' && key != "mtllib" && key != "usemtl" && key != "o" && key != "g";
+  return key != "mtllib" && key != "usemtl" && key != "o" && key != "g";
 }
 
 }  // namespace

@@ -143,12 +143,13 @@ std::vector<Twin> twins() {
       {"objBackslash", ".obj",
        with(with(plateObj(), "1 2 3 4", "1 2 \\\n3 4"), "v 4 2 0", "v 4\\\r\n2 0"), ""},
       {"objPathInComment", ".obj", "# C:\\models\\\n" + plateObj(), ""},
+      {"objPathAfterAFace", ".obj",
+       with(plateObj(), "f 1 2 3 4", "f 1 1 2 # C:\\models\\\nf 1 2 3 4"), "1 face without area"},
       {"objCarriageReturns", ".obj", everywhere(plateObj(), "\n", "\r"), ""},
       {"objTextureNan", ".obj", with(plateObj(), "f 1", "vt nan nan\nf 1"), ""},
       {"objColours", ".obj", everywhere(plateObj(), "\nv 4 2 0", "\nv 4 2 0 0.5 0.25 1"), ""},
       {"objWeight", ".obj", everywhere(plateObj(), "\nv 4 2 0", "\nv 4 2 0 1.0"), ""},
       {"objSmall", ".obj", plateObj(scaled(1e-6)), ""},
-      {"objFarFromOrigin", ".obj", plateObj(), ""},
       {"objZUp", ".obj", plateObj(zUp()), "", UpAxis::Z},
       {"objShortFaces", ".obj", plateObj() + "f 1 2\nf 3\n",
        "2 faces of fewer than three vertices"},
@@ -173,6 +174,9 @@ std::vector<Twin> twins() {
       {"offModelNet", ".off", plateOff("OFF"), ""},
       {"offComments", ".off",
        with(plateOff("# a\nOFF # b\n\n# c\n"), "4 2 0\n", "4 2 0 # d\n# e\n"), ""},
+      {"offCountsOnLines", ".off", with(plateOff("OFF\n"), "7 2 0", "7\n2\n0"), ""},
+      {"offWithoutEdges", ".off", with(plateOff("OFF\n"), "7 2 0", "7 2"), ""},
+      {"offUnsaidColours", ".off", plateOff("OFF\n", " 0.5 0.5 0.5"), "more numbers than"},
       {"offColours", ".off", plateOff("COFF\n", " 255 0 0 255"), ""},
       {"offNormals", ".off", plateOff("NOFF\n", " 0 1 0"), ""},
       {"offTexture", ".off", plateOff("STOFF\n", " 0.5 0.5"), ""},
@@ -188,6 +192,8 @@ std::vector<Twin> twins() {
       {"stlBinarySolid", ".stl", binaryStl("solid"), ""},
       {"stlBinarySolidFacet", ".stl", binaryStl("solid facet"), ""},
       {"stlBinaryCountNone", ".stl", binaryStl("solid facet", 0), "the header promises 0 facets"},
+      {"stlFacetFirst", ".stl", facet(0) + facet(1) + facet(2), ""},
+      {"stlBinaryCountNoneAndMore", ".stl", binaryStl("x", 0) + "tail", "promises 0 facets"},
       {"stlBinaryCountOnes", ".stl", binaryStl("", UINT32_MAX), "promises 4294967295 facets"}};
 }
 

@@ -39,7 +39,6 @@ class DepthProjection : public testing::Test {
   }
 
   const TemporaryFolder folder;
-
 };
 
 double perspective(double z) {
@@ -59,9 +58,10 @@ TEST_F(DepthProjection, TakesAndTellsTheReceiverInThreeMeasures) {
   const Arguments undo{"--depth-projection", "perspective:0.5,8"};
   for (const std::string receiver : {"0.73333333333", "6w", "0.97777777778f"}) {
     const Json object = probe(file, receiver, undo);
-    EXPECT_NEAR(object["receiver"], 5.5 / 7.5, 1e-9) << receiver;
-    EXPECT_NEAR(object["receiverWorld"], 6.0, 1e-8) << receiver;
-    EXPECT_NEAR(object["receiverFile"], 0.97777777778, 1e-9) << receiver;
+    // Floats near 1 have steps of 6e-8, which the perspective stretches by 67 in world units.
+    EXPECT_NEAR(object["receiver"], 5.5 / 7.5, 3e-7) << receiver;
+    EXPECT_NEAR(object["receiverWorld"], 6.0, 2e-6) << receiver;
+    EXPECT_NEAR(object["receiverFile"], 0.97777777778, 3e-8) << receiver;
   }
   for (const std::string receiver : {"9w", "0.4w", "1.5", "6x", "w", "1.01f"}) {
     const Outcome outcome = run({"probe", "--json", "--depth", file, "--texel", "2,8", "--receiver",
@@ -69,6 +69,26 @@ TEST_F(DepthProjection, TakesAndTellsTheReceiverInThreeMeasures) {
     EXPECT_EQ(outcome.status, 2) << receiver;
     EXPECT_NE(outcome.err.find("--receiver"), std::string::npos) << outcome.err;
   }
+}
+
+// Equality is lit: a receiver at a texel's own depth, in whatever measure it is told.
+TEST_F(DepthProjection, LightsAReceiverThatATexelHolds) {
+  const std::pair<std::string, std::string> maps[] = {
+      {"perspective:0.5,8", write("p.exr", perspective)},
+      {"reversed:0.5,8",
+       write("r.exr", [](double z) { return near * (far - z) / (z * (far - near)); })},
+      {"reversed-infinite:0.5:8", write("i.exr", [](double z) { return near / z; })}};
+  for (const auto& [projection, file] : maps)
+    EXPECT_EQ(probe(file, "6w", {"--depth-projection", projection}, "12,8")["reference"], 1.0)
+        << projection;
+  EXPECT_EQ(probe(maps[0].second, "0.9777778f", {"--depth-projection", "perspective:0.5,8"},
+                  "12,8")["reference"],
+            1.0);
+  const std::string flat = write("f.exr", [](double) { return 0.7; });
+  EXPECT_EQ(probe(flat, "0.7f")["reference"], 1.0);
+  EXPECT_EQ(probe(flat, "0.7w")["reference"], 1.0);
+  EXPECT_EQ(probe(flat, "0.7f", {"--depth-range", "0,0.7"})["receiver"], 1.0);
+  EXPECT_EQ(probe(flat, "0.7f", {"--depth-range", "0,0.7"})["reference"], 1.0);
 }
 
 TEST_F(DepthProjection, GivesEveryTechniqueTheLinearTwinsNumbers) {

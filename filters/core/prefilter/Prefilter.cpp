@@ -70,11 +70,10 @@ class Plane {
 // it works in is allocated once.
 class ColumnReduction {
  public:
-  // The plane holds the rows `known` of a map of `height` rows; `rows` are wanted.
-  ColumnReduction(int width, const Rows& known, const Rows& rows, int height, int radius)
+  // The plane holds the rows `known` of a map, all that the kernel reaches from the wanted `rows`.
+  ColumnReduction(int width, const Rows& known, const Rows& rows, int radius)
       : known_(known),
         rows_(rows),
-        height_(height),
         radius_(radius),
         result_(width, rows.count),
         fromLeft_(width, rows.count + 2 * radius),
@@ -96,9 +95,10 @@ class ColumnReduction {
   }
 
  private:
-  // Row `i` of the window of the first row that is wanted.
+  // Row `i` of the window of the first row that is wanted. The map's edge rows repeat; of rows that
+  // nobody needs the last known one stands in.
   std::span<const double> source(const Plane& plane, int i) const {
-    return plane.row(std::clamp(rows_.first + i - radius_, 0, height_ - 1) - known_.first);
+    return plane.row(std::clamp(rows_.first + i - radius_ - known_.first, 0, known_.count - 1));
   }
 
   void average(const Plane& plane) {
@@ -135,7 +135,7 @@ class ColumnReduction {
       else
         join(fromLeft_.row(i), fromLeft_.row(i - 1), source(plane, i));
     }
-    // The last block may reach beyond the rows that are needed; the edge's value is repeated there.
+    // The last block may reach beyond the rows that are needed.
     const int whole = (needed + window - 1) / window * window;
     for (int i = whole - 1; i >= 0; --i) {
       if ((i + 1) % window == 0)
@@ -153,7 +153,7 @@ class ColumnReduction {
   }
 
   const Rows known_, rows_;
-  const int height_, radius_;
+  const int radius_;
   Plane result_, fromLeft_, fromRight_;
   std::vector<double> right_;
 };
@@ -199,13 +199,13 @@ Rows reachedRows(const Kernel& kernel, const Rows& rows, int height) {
 }
 
 Image<double> reducedRows(const Image<double>& channels, std::span<const Channel> layout,
-                          const Kernel& kernel, const Rows& known, const Rows& rows, int height) {
+                          const Kernel& kernel, const Rows& known, const Rows& rows) {
   const int width = channels.width(), radius = kernel.effectiveRadius();
   const std::vector<double> weights = kernel.weights();
   Image<double> reduced(width, rows.count, int(layout.size()));
   std::vector<double> line(std::size_t(width), 0.0);
   Plane plane(width, known.count);
-  ColumnReduction columns(width, known, rows, height, radius);
+  ColumnReduction columns(width, known, rows, radius);
   for (std::size_t c = 0; c < layout.size(); ++c) {
     for (int y = 0; y < known.count; ++y) {
       for (int x = 0; x < width; ++x) line[std::size_t(x)] = channels(x, y, int(c));
@@ -225,7 +225,7 @@ Image<double> reduceMap(const Image<double>& channels, std::span<const Channel> 
                         const Kernel& kernel) {
   if (kernel.effectiveRadius() == 0) return channels;
   const Rows all{0, channels.height()};
-  return reducedRows(channels, layout, kernel, all, all, channels.height());
+  return reducedRows(channels, layout, kernel, all, all);
 }
 
 void storeMap(Image<double>& channels, std::span<const Channel> layout, StorageFormat format) {
@@ -241,9 +241,8 @@ Image<double> prefilteredRows(const DepthMap& map, const Technique& technique, c
   const std::vector<Channel> layout = technique.channels();
   const Rows known = reachedRows(kernel, rows, map.height());
   const Image<double> encoded = encodedRows(map, technique, format, known);
-  Image<double> reduced = kernel.effectiveRadius() == 0
-                              ? encoded
-                              : reducedRows(encoded, layout, kernel, known, rows, map.height());
+  Image<double> reduced =
+      kernel.effectiveRadius() == 0 ? encoded : reducedRows(encoded, layout, kernel, known, rows);
   storeMap(reduced, layout, format);
   return reduced;
 }

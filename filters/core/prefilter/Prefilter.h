@@ -39,7 +39,7 @@ Image<double> prefilteredRows(const DepthMap& map, const Technique& technique, c
 // What `reduceMap` gives in these rows of an image of which only some are known: `known` is in
 // `channels` from its top, and holds those that the kernel reaches.
 Image<double> reducedRows(const Image<double>& channels, std::span<const Channel> layout,
-                          const Kernel& kernel, const Rows& known, const Rows& rows, int height);
+                          const Kernel& kernel, const Rows& known, const Rows& rows);
 // The rows of a map of `height` rows that the kernel reaches from `rows`.
 Rows reachedRows(const Kernel& kernel, const Rows& rows, int height);
 

@@ -184,8 +184,7 @@ TEST(PrefilteredRows, AreThoseOfTheWholeMap) {
       const Rows known = reachedRows(kernel, rows, image.height());
       Image<double> part(image.width(), known.count, 3);
       std::copy_n(image.pixel(0, known.first).data(), part.values().size(), part.values().begin());
-      const Image<double> found =
-          reducedRows(part, everyReduction, kernel, known, rows, image.height());
+      const Image<double> found = reducedRows(part, everyReduction, kernel, known, rows);
       for (int y = 0; y < rows.count; ++y)
         for (int x = 0; x < image.width(); ++x)
           for (int c = 0; c < 3; ++c) EXPECT_EQ(found(x, y, c), whole(x, first + y, c));
