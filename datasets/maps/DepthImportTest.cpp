@@ -165,7 +165,7 @@ TEST_F(DepthImports, DoesWithMissingDepthsWhatItIsTold) {
   EXPECT_EQ(clamped.map(4, 0), 0.25);
   EXPECT_EQ(clamped.notes,
             std::vector<std::string>{"4 texels held no depth and became the nearest bound"});
-  // Of a reversed map, infinity lies beyond near.
+  // Infinity lies beyond the near bound of a reversed map.
   EXPECT_EQ(readDepth(put({float(inf), 0.25f}, 2), missing("clamp", 1.0, 0.0)).map(0, 0), 0.0);
   // A value of the range stands in for all.
   const DepthFile stood = read(missing("0.75"));

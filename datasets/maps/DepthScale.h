@@ -26,7 +26,7 @@ class DepthScale {
   // Whether one value of the file is another depth at another texel.
   bool dependsOnTexel() const { return projection_.euclidAngle > 0.0; }
 
-  // Of a texel, counted from the map's corner: only a distance to the light depends on it. Depths
+  // The texel is counted from the map's corner: only a distance to the light depends on it. Depths
   // are not limited to [0, 1].
   double linearOfFile(double value, int x, int y) const;
   double worldOfFile(double value, int x, int y) const;

@@ -99,7 +99,7 @@ void FilesTest::droppedFacesAreReported() {
   settle();
   QCOMPARE(window.controller().document().content.scene->title, std::string("flat.obj"));
   QVERIFY(
-      window.centre().banner().text().contains("flat.obj: faces left out: 1 without area, 0 with"));
+      window.centre().banner().text().contains("flat.obj: 1 face without area was left out"));
   key(Qt::Key_Z, Qt::ControlModifier);
   QVERIFY(window.centre().banner().text().isEmpty());
 }

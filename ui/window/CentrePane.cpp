@@ -128,6 +128,7 @@ void CentrePane::refresh() {
     legend_->setNotice(why);
   if (!depth) return;
   if (depth != shownDepth_) {
+    depth_->setOrigin(originOf(document.content));
     depth_->setChannels({tr("depth")}, tr("depth"));
     depth_->setTitle(
         tr("Depth map · %1").arg(QString::fromStdString(titleOf(document.session.source))));
