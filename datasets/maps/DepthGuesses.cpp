@@ -69,8 +69,8 @@ class Guesser {
     if (raw_.minusInfinite > 0) mark(holding(raw_.minusInfinite, "−infinity"), -infinity);
     if (raw_.notNumbers > 0) mark(holding(raw_.notNumbers, "no number"), std::nan(""));
     if (raw_.finite > 0 && lowest.apart)
-      mark(holding(lowest.texels, shown(lowest.value)) + ", and all others " + shown(lowest.next) +
-               " or more",
+      mark(holding(lowest.texels, shown(lowest.value)) + ", and all others hold " +
+               shown(lowest.next) + " or more",
            lowest.value);
     if (marks_ < 2) return;
     DepthImport import = present_;
@@ -88,9 +88,8 @@ class Guesser {
     const bool falling = present_.atZero > present_.atOne;
     import.atZero = inFewDigits(falling ? raw_.high : raw_.low, raw_.info.number);
     import.atOne = inFewDigits(falling ? raw_.low : raw_.high, raw_.info.number);
-    const std::string ends = toText(import.atZero) + " to " + toText(import.atOne);
     add("Values lie from " + shown(raw_.low) + " to " + shown(raw_.high) + ", beyond the range.",
-        "Range from " + ends, import);
+        "Take this range", import);
   }
 
   void project(const std::string& reason, const std::string& action, DepthProjection::Kind kind) {

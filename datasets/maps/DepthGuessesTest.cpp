@@ -88,7 +88,7 @@ TEST_F(DepthGuessing, ABackgroundAndARangeMakeTheFileReadable) {
   EXPECT_EQ(first[0].import.miss, (DepthMiss{DepthMiss::Kind::Value, 1e10}));
   const auto second = guesses(values, first[0].import);
   ASSERT_EQ(second.size(), 1U);
-  EXPECT_EQ(second[0].action, "Range from 0.7 to 5");
+  EXPECT_EQ(second[0].reason, "Values lie from 0.7 to 5, beyond the range.");
   EXPECT_EQ(second[0].import.atZero, 0.7);  // not 0.699999988
   const DepthFile read = readDepth(file, second[0].import);
   EXPECT_EQ(read.map(0, 0), 0.0);

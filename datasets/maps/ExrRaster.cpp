@@ -154,7 +154,7 @@ ChannelPlace channelToRead(const fs::path& file, Imf::MultiPartInputFile& input,
     titles.push_back(withRange(file, input, places[i]));
   if (places.size() > most) titles.push_back(std::to_string(places.size() - most) + " more");
   refuseExr(file, "there is no channel '" + clipped(name) + "'; there are " + joined(titles) +
-                      (wanted.empty() ? ": name one as FILE.exr:CHANNEL" : ""));
+                      std::string(wanted.empty() ? channelHint : ""));
 }
 
 // Opens the file for `work`; what OpenEXR says of a damaged one becomes one line.

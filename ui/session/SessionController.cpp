@@ -55,12 +55,18 @@ SessionController::SessionController(const Workspace& workspace, QObject* parent
     history_.addStack(stack);
   }
   history_.setActiveStack(&undo_);
-  connect(loader_, &SourceLoader::failed, this, &SessionController::failed);
+  connect(loader_, &SourceLoader::failed, this,
+          [this](const Workspace& asked, const QString& message) {
+            emit failed(message);
+            if (!visitAsked_) emit unread(asked, message);
+          });
   connect(loader_, &SourceLoader::finished, this, [this] { emit loadingChanged(false); });
   connect(loader_, &SourceLoader::loaded, this, [this](const Document& loaded) {
     if (visitAsked_) return arrive(loaded);
     endMerge();
-    push(tr("Open %1").arg(QString::fromStdString(titleOf(loaded.session.source))), loaded, {});
+    const QString opened =
+        tr("Open %1").arg(QString::fromStdString(titleOf(loaded.session.source)));
+    push(step_.isEmpty() ? opened : step_, loaded, {});
   });
 }
 
@@ -160,10 +166,15 @@ void SessionController::rebuildTechniques(const Session& session) {
   notices_ = notices;
 }
 
-void SessionController::open(const Workspace& workspace) {
+void SessionController::open(const Workspace& workspace, const QString& step) {
   visitAsked_ = false;
+  step_ = step;
   loader_->load(workspace);
   emit loadingChanged(true);
+}
+
+void SessionController::stopOpening() {
+  if (!visitAsked_) loader_->drop();
 }
 
 void SessionController::visit(const Workspace& workspace) {

@@ -59,8 +59,10 @@ class SessionController : public QObject {
   void amend(const std::function<void(Session&)>& change);
 
   // Reads the workspace's source beside this thread; what is open stays until it is there. One step
-  // for undo.
-  void open(const Workspace& workspace);
+  // for undo, whose text says that it was opened where `step` says nothing else.
+  void open(const Workspace& workspace, const QString& step = {});
+  // Gives up what is being read for `open`.
+  void stopOpening();
   // Opens another source with the same technique and frame settings, and with the light and camera
   // that the source brings.
   void openSource(const SceneSource& source);
@@ -79,6 +81,8 @@ class SessionController : public QObject {
   void loadingChanged(bool loading);
   // Says to people, in one line, what could not be done and why. What was open stays open.
   void failed(const QString& message);
+  // The source of a workspace that was to be opened cannot be read; `failed` has said so.
+  void unread(const umbra::Workspace& asked, const QString& message);
 
  private:
   friend class DocumentCommand;
@@ -105,6 +109,7 @@ class SessionController : public QObject {
   QUndoGroup history_;
   std::optional<Document> own_;  // while another one is visited
   bool visitAsked_ = false;      // what is being read is to be visited
+  QString step_;                 // for what is being read to be opened
   SourceLoader* loader_;
   int mergeGroup_ = 0;
 };
