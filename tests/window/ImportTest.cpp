@@ -139,10 +139,14 @@ void ImportTest::whatTheSheetSaysIsInTheSession() {
   QVERIFY(window.importSheet().isVisible());
   const int steps = window.controller().undoStack().count();
   type(window, "atOne", "2");
+  // What is edited while the file is read stays.
+  QVERIFY(window.controller().loading());
+  window.controller().edit("receiver", [](Session& session) { session.receiver = 0.25; });
   QTRY_COMPARE_WITH_TIMEOUT(window.controller().session().source.depth.atOne, 2.0, patience);
   QVERIFY(std::abs((*window.controller().document().content.depth)(0, 0) - 0.1) < 1e-8);
   QVERIFY(window.importSheet().isVisible());
-  QCOMPARE(window.controller().undoStack().count(), steps + 1);
+  QCOMPARE(window.controller().undoStack().count(), steps + 2);
+  QCOMPARE(window.controller().session().receiver, std::optional(0.25));
   // A session that is saved brings it back.
   const std::string saved = folder_.filePath("saved.json").toStdString();
   window.saveSession(saved);

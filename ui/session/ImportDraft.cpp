@@ -53,8 +53,10 @@ void ImportDraft::change(const std::function<void(SceneSource&)>& edit) {
   asked_ = next;
   countValues();
   const QString title = style::text(titleOf(next.shared.source));
-  controller_.open(
-      next, fileIsOpen() ? tr("Change how %1 is read").arg(title) : tr("Open %1").arg(title));
+  if (fileIsOpen())
+    controller_.reread(next.shared.source, tr("Change how %1 is read").arg(title));
+  else
+    controller_.open(next);
   emit changed();
 }
 

@@ -59,9 +59,12 @@ class SessionController : public QObject {
   void amend(const std::function<void(Session&)>& change);
 
   // Reads the workspace's source beside this thread; what is open stays until it is there. One step
-  // for undo, whose text says that it was opened where `step` says nothing else.
-  void open(const Workspace& workspace, const QString& step = {});
-  // Gives up what is being read for `open`.
+  // for undo.
+  void open(const Workspace& workspace);
+  // Reads the open source in another way, or with other parameters: one step for undo, named
+  // `step` where that is not empty, which keeps what else is edited in the meantime.
+  void reread(const SceneSource& source, const QString& step = {});
+  // Gives up what is being read for either.
   void stopOpening();
   // Opens another source with the same technique and frame settings, and with the light and camera
   // that the source brings.
@@ -98,6 +101,8 @@ class SessionController : public QObject {
   void push(const QString& text, Document after, const QString& mergeKey);
   void show(const Document& document);  // undo, redo and every edit end here
   void rebuildTechniques(const Session& session);
+  void read(const Workspace& workspace);
+  void openRead(const Document& read);
   void arrive(const Document& document);
 
   TechniqueCatalogue catalogue_;
@@ -109,7 +114,8 @@ class SessionController : public QObject {
   QUndoGroup history_;
   std::optional<Document> own_;  // while another one is visited
   bool visitAsked_ = false;      // what is being read is to be visited
-  QString step_;                 // for what is being read to be opened
+  bool rereadAsked_ = false;     // what is being read is the open source
+  QString step_;                 // then the name of the step, or empty
   SourceLoader* loader_;
   int mergeGroup_ = 0;
 };
