@@ -56,6 +56,7 @@ void OpeningTest::drop(const std::string& file) {
   QDragEnterEvent enter({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
   QCoreApplication::sendEvent(target, &enter);
   QVERIFY(enter.isAccepted());
+  QVERIFY(!window_->controller().loading());  // it is only dragged as yet
   QDropEvent dropped({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
   QCoreApplication::sendEvent(target, &dropped);
   QVERIFY(dropped.isAccepted());
