@@ -1,7 +1,6 @@
 #include "datasets/maps/DepthConversion.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -12,15 +11,6 @@ namespace umbra {
 namespace {
 
 constexpr std::size_t namedTexels = 10;
-
-// The fewest digits that stand for this value and no other: 1.0000001 is not 1.
-std::string exactly(double value, RasterNumber number) {
-  char buffer[32];
-  const auto end = number == RasterNumber::Double
-                       ? std::to_chars(buffer, buffer + sizeof buffer, value).ptr
-                       : std::to_chars(buffer, buffer + sizeof buffer, float(value)).ptr;
-  return {buffer, end};
-}
 
 std::string countOfTexels(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " texel" : " texels");
@@ -118,17 +108,15 @@ void DepthConversion::refuse() const {
   std::string texels;
   for (const Wrong& wrong : first_)
     texels += (texels.empty() ? "texel " : ", ") + std::to_string(wrong.x) + "," +
-              std::to_string(wrong.y) + " is " + exactly(wrong.value, info_.number);
+              std::to_string(wrong.y) + " is " + shortest(wrong.value, info_.number);
   if (wrong_ > first_.size()) texels += ", …";
   if (wrong_ > 1)
     texels = countOfTexels(wrong_) + " from " + std::to_string(lowX_) + "," +
              std::to_string(lowY_) + " to " + std::to_string(highX_) + "," +
              std::to_string(highY_) + " hold no depth: " + texels;
-  throw Error(ErrorKind::BadInput,
-              where_ + ": " + texels + "; depths are finite numbers from " +
-                  toText(import_.atZero) + " to " + toText(import_.atOne) +
-                  "; --depth-miss clamp would take the nearest bound, --depth-miss VALUE names the "
-                  "value of texels that saw nothing");
+  throw Error(ErrorKind::BadInput, where_ + ": " + texels + "; depths are finite numbers from " +
+                                       toText(import_.atZero) + " to " + toText(import_.atOne) +
+                                       std::string(depthMissHint));
 }
 
 DepthFile DepthConversion::finish() {
@@ -139,9 +127,9 @@ DepthFile DepthConversion::finish() {
   if (marked_ > 0)
     file_.notes.push_back(
         countOfTexels(marked_) +
-        (missIsMark_ ? " held " + exactly(import_.miss.value, info_.number) +
+        (missIsMark_ ? " held " + shortest(import_.miss.value, info_.number) +
                            ", saw nothing and became the far bound"
-                     : " held no depth and became " + exactly(import_.miss.value, info_.number)));
+                     : " held no depth and became " + shortest(import_.miss.value, info_.number)));
   if (beyond_ > 0)
     file_.notes.push_back(countOfTexels(beyond_) + " lie farther from the light than " +
                           toText(file_.scale.far()) + " and count as that far");

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -54,6 +55,12 @@ struct DepthFile {
   int originX = 0, originY = 0;    // the first texel's coordinates in the file's own count
   std::vector<std::string> notes;  // one sentence for each doubtful reading
 };
+
+// How a refusal for wrong texels ends: what the command line offers against it.
+inline constexpr std::string_view depthMissHint =
+    "; --depth-miss clamp would take the nearest bound, --depth-miss VALUE names the value of "
+    "texels "
+    "that saw nothing";
 
 // Reads an OpenEXR file (half, float or whole numbers, tiles or scan lines, several parts), a PFM,
 // or a NumPy array, in double. A bound counts as the number that the file can hold. Throws BadInput

@@ -154,17 +154,17 @@ ChannelPlace channelToRead(const fs::path& file, Imf::MultiPartInputFile& input,
     titles.push_back(withRange(file, input, places[i]));
   if (places.size() > most) titles.push_back(std::to_string(places.size() - most) + " more");
   refuseExr(file, "there is no channel '" + clipped(name) + "'; there are " + joined(titles) +
-                      (wanted.empty() ? ": name one as FILE.exr:CHANNEL" : ""));
+                      std::string(wanted.empty() ? channelHint : ""));
 }
 
-}  // namespace
-
-void readExr(const fs::path& file, const std::string& channel, const RasterSink& sink) {
+// Opens the file for `work`; what OpenEXR says of a damaged one becomes one line.
+template <class Work>
+void withExr(const fs::path& file, const Work& work) {
   checkExrAttributes(file);
   try {
     limitImageSize();
     Imf::MultiPartInputFile input(file.c_str());
-    readPlace(file, input, channelToRead(file, input, channel), sink);
+    work(input);
   } catch (const Error&) {
     throw;
   } catch (const std::exception& error) {
@@ -172,6 +172,22 @@ void readExr(const fs::path& file, const std::string& channel, const RasterSink&
     std::replace(what.begin(), what.end(), '\n', ' ');
     refuseExr(file, "cannot be read as OpenEXR: " + what);
   }
+}
+
+}  // namespace
+
+void readExr(const fs::path& file, const std::string& channel, const RasterSink& sink) {
+  withExr(file, [&](Imf::MultiPartInputFile& input) {
+    readPlace(file, input, channelToRead(file, input, channel), sink);
+  });
+}
+
+std::vector<std::string> exrChannels(const fs::path& file) {
+  std::vector<std::string> titles;
+  withExr(file, [&](Imf::MultiPartInputFile& input) {
+    for (const ChannelPlace& place : channelsOf(file, input)) titles.push_back(place.title);
+  });
+  return titles;
 }
 
 }  // namespace umbra

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 
 namespace umbra {
@@ -20,6 +21,20 @@ constexpr std::array<RasterFormat, 3> rasterFormats{
 
 }  // namespace
 
+std::string_view nameOf(RasterNumber number) {
+  switch (number) {
+    case RasterNumber::Half:
+      return "half";
+    case RasterNumber::Float:
+      return "float";
+    case RasterNumber::Double:
+      return "double";
+    case RasterNumber::Whole:
+      break;
+  }
+  return "whole numbers";
+}
+
 double rounded(double value, RasterNumber number) {
   switch (number) {
     case RasterNumber::Half:
@@ -34,6 +49,14 @@ double rounded(double value, RasterNumber number) {
   return value;
 }
 
+std::string shortest(double value, RasterNumber number) {
+  char buffer[32];
+  const bool isWide = number == RasterNumber::Double || number == RasterNumber::Whole;
+  const auto end = isWide ? std::to_chars(buffer, buffer + sizeof buffer, value).ptr
+                          : std::to_chars(buffer, buffer + sizeof buffer, float(value)).ptr;
+  return {buffer, end};
+}
+
 RasterReader rasterReaderOf(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -41,6 +64,12 @@ RasterReader rasterReaderOf(const std::filesystem::path& file) {
   for (const RasterFormat& format : rasterFormats)
     if (extension == format.extension) return format.read;
   return nullptr;
+}
+
+std::vector<std::string> rasterChannels(const std::filesystem::path& file) {
+  const RasterReader read = rasterReaderOf(file);
+  if (read && read != readExr) return {};
+  return exrChannels(file);
 }
 
 std::string rasterExtensions() {

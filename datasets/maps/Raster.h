@@ -5,6 +5,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace umbra {
@@ -12,8 +13,12 @@ namespace umbra {
 // What a file's numbers are stored as.
 enum class RasterNumber { Half, Float, Double, Whole };
 
+// "half", "float", "double" or "whole numbers".
+std::string_view nameOf(RasterNumber number);
 // A value as that number can hold it.
 double rounded(double value, RasterNumber number);
+// The fewest digits that stand for this value and no other that the number can hold: 0.7, 1e+10.
+std::string shortest(double value, RasterNumber number);
 
 struct RasterInfo {
   int width = 0, height = 0;
@@ -31,15 +36,22 @@ struct RasterSink {
 // A shadow map of this size a side takes 2 GB in double; a header that promises more is damaged.
 inline constexpr int largestRasterSide = 16384;
 
+// How a refusal ends where no channel was named: what the command line offers against it.
+inline constexpr std::string_view channelHint = ": name one as FILE.exr:CHANNEL";
+
 // The readers. `channel` is "" for the one that is meant where none is named. All throw BadInput
 // that begins with the file's name.
 void readExr(const std::filesystem::path& file, const std::string& channel, const RasterSink& sink);
 void readPfm(const std::filesystem::path& file, const std::string& channel, const RasterSink& sink);
 void readNpy(const std::filesystem::path& file, const std::string& channel, const RasterSink& sink);
+// The names that `channel` may have, in the file's order.
+std::vector<std::string> exrChannels(const std::filesystem::path& file);
 
 // The reader that a file's name asks for; null where there is none.
 using RasterReader = void (*)(const std::filesystem::path&, const std::string&, const RasterSink&);
 RasterReader rasterReaderOf(const std::filesystem::path& file);
+// What `channel` may name in a file of any of the formats; none where they name no channels.
+std::vector<std::string> rasterChannels(const std::filesystem::path& file);
 // ".exr .pfm .npy"
 std::string rasterExtensions();
 

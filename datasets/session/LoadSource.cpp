@@ -18,6 +18,11 @@ Scene readScene(const SceneSource& source, std::vector<std::string>& notices) {
 
 }  // namespace
 
+Pixel texelInFile(const Content& content, const Pixel& texel) {
+  if (!content.depthFile) return texel;
+  return {texel.x + content.depthFile->originX, texel.y + content.depthFile->originY};
+}
+
 DepthFile loadDepth(const SceneSource& source) {
   DepthFile file = readDepth(source.name, source.depth);
   for (std::string& note : file.notes) note = source.name + ": " + note;

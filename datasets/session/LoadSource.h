@@ -22,6 +22,10 @@ struct Content {
   bool operator==(const Content&) const = default;
 };
 
+// What a texel of a depth map is called: its coordinates in the file's own count. Those of a
+// scene's map are its own.
+Pixel texelInFile(const Content& content, const Pixel& texel);
+
 // Throws BadInput for what cannot be read, is not in the catalogue or has no triangle to draw. Safe
 // on any thread.
 Content loadSource(const SceneSource& source);

@@ -98,8 +98,7 @@ void FilesTest::droppedFacesAreReported() {
   window.openFile(file.toStdString());
   settle();
   QCOMPARE(window.controller().document().content.scene->title, std::string("flat.obj"));
-  QVERIFY(
-      window.centre().banner().text().contains("flat.obj: 1 face without area was left out"));
+  QVERIFY(window.centre().banner().text().contains("flat.obj: 1 face without area was left out"));
   key(Qt::Key_Z, Qt::ControlModifier);
   QVERIFY(window.centre().banner().text().isEmpty());
 }

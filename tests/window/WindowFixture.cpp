@@ -4,7 +4,9 @@
 #include <QMouseEvent>
 #include <QSettings>
 #include <QTest>
+#include <fstream>
 
+#include "datasets/maps/ExrFile.h"
 #include "ui/panes/ComparisonPanes.h"
 #include "ui/picture/SceneView.h"
 #include "ui/probe/Prober.h"
@@ -73,6 +75,24 @@ void WindowFixture::key(int key, Qt::KeyboardModifiers modifiers) {
 QPointF WindowFixture::pointOf(const Pixel& pixel) {
   const double ratio = window_->view().devicePixelRatioF();
   return {(pixel.x + 0.5) / ratio, (pixel.y + 0.5) / ratio};
+}
+
+std::string WindowFixture::writeFile(const char* name, const std::string& bytes) {
+  const std::string file = folder_.filePath(name).toStdString();
+  std::ofstream(file, std::ios::binary) << bytes;
+  return file;
+}
+
+std::string WindowFixture::writeDepths(const char* name, const Image<float>& depths) {
+  const std::string file = folder_.filePath(name).toStdString();
+  writeExr(file, {{"Z", depths}}, {});
+  return file;
+}
+
+void WindowFixture::untilOpen(const char* title) {
+  QTRY_COMPARE_WITH_TIMEOUT(titleOf(window_->controller().session().source), std::string(title),
+                            patience);
+  settle();
 }
 
 const TechniqueResult& WindowFixture::result(const char* id) {

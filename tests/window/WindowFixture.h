@@ -34,6 +34,11 @@ class WindowFixture : public QObject {
   void click(const Pixel& pixel);
   void key(int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
   QPointF pointOf(const Pixel& pixel);
+  // Both write into the folder and give the whole name. Depths become channel Z of an OpenEXR file.
+  std::string writeFile(const char* name, const std::string& bytes);
+  std::string writeDepths(const char* name, const Image<float>& depths);
+  // Waits until the source that is open has this title, and settles.
+  void untilOpen(const char* title);
   // The result of technique `id` in the present report.
   const TechniqueResult& result(const char* id);
 

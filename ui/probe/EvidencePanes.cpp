@@ -111,14 +111,15 @@ void EvidencePanes::refreshProbe() {
     trace_->setTrace(style::text(result->technique->info().title), explain(probe, *result));
   else
     trace_->clear(tr("The technique cannot be evaluated with these settings."));
-  region_->setProbe(probe);
+  const Content& content = controller_.document().content;
+  region_->setProbe(probe, originOf(content));
   if (report->cascade != shownCascade_) refreshMap();
   map_->setRegion(ownRegion(probe));
   // The first probe and every pinned one are brought into view, and again with another kernel;
   // hovering leaves the zoom alone.
   if (!(probe.region.kernel == shownKernel_)) regionShown_ = false;
   shownKernel_ = probe.region.kernel;
-  if (!regionShown_ && (report->pinned || controller_.document().content.depth)) {
+  if (!regionShown_ && (report->pinned || content.depth)) {
     map_->showRegion();
     regionShown_ = true;
   }
@@ -156,6 +157,7 @@ void EvidencePanes::showChannel() {
     const QString channel = map_->currentChannel();
     const Content& content = controller_.document().content;
     ShadowRenderer* frame = view_.lastFrame();
+    map_->setOrigin(originOf(content));
     if (content.depth) {
       if (shownMap_ != content.depth) map_->setImage(*content.depth);
       shownMap_ = content.depth;

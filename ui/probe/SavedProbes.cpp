@@ -206,7 +206,10 @@ QString SavedProbes::text(char separator) const {
     SheetRow& sheet = rows.emplace_back();
     sheet.name = row.probe.name;
     if (const auto& point = row.probe.point) sheet.place = {point->x(), point->y(), point->z()};
-    if (const auto& texel = row.probe.texel) sheet.place = {double(texel->x), double(texel->y)};
+    if (row.probe.texel) {
+      const Pixel texel = texelInFile(controller_.document().content, *row.probe.texel);
+      sheet.place = {double(texel.x), double(texel.y)};
+    }
     sheet.figures = row.figures;
     sheet.reason = row.reason.toStdString();
   }

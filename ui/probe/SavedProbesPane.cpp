@@ -158,14 +158,16 @@ void SavedProbesPane::refresh() {
                           style::text(technique->info().title), refusals.value(id)});
   }
   model_->setTechniques(std::move(techniques), style::text(controller_.session().technique));
+  const Content& content = controller_.document().content;
   std::vector<SavedProbeRow> rows;
   for (const SavedProbes::Row& row : probes_.rows()) {
     const NamedProbe& probe = row.probe;
+    const Pixel texel = texelInFile(content, probe.texel.value_or(Pixel{}));
     const QString place =
         probe.point ? tr("at %1, %2, %3 in the scene")
                           .arg(style::figure(probe.point->x()), style::figure(probe.point->y()),
                                style::figure(probe.point->z()))
-                    : tr("texel %1, %2").arg(probe.texel->x).arg(probe.texel->y);
+                    : tr("texel %1, %2").arg(texel.x).arg(texel.y);
     rows.push_back(
         {style::text(probe.name), place, row.figures, row.hidden ? tr("hidden") : row.reason});
   }

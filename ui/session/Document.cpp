@@ -6,6 +6,11 @@
 
 namespace umbra {
 
+QPoint originOf(const Content& content) {
+  const Pixel first = texelInFile(content, {});
+  return {first.x, first.y};
+}
+
 std::string titleOf(const SceneSource& source) {
   if (source.kind != SourceKind::Catalogue)
     return std::filesystem::path(source.name).filename().string();

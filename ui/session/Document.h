@@ -1,6 +1,7 @@
 // What the window has open: the workspace, and what its source was read into.
 #pragma once
 
+#include <QPoint>
 #include <string>
 #include <utility>
 
@@ -18,6 +19,9 @@ struct Document {
   Content content;
   Session session;  // what the active pane of the workspace shows
 };
+
+// What the first texel of an open depth map is called, in the file's own count.
+QPoint originOf(const Content& content);
 
 // "Tree over a bench", "truck.obj": for title bars and messages.
 std::string titleOf(const SceneSource& source);

@@ -55,13 +55,14 @@ SessionController::SessionController(const Workspace& workspace, QObject* parent
     history_.addStack(stack);
   }
   history_.setActiveStack(&undo_);
-  connect(loader_, &SourceLoader::failed, this, &SessionController::failed);
+  connect(loader_, &SourceLoader::failed, this,
+          [this](const Workspace& asked, const QString& message) {
+            emit failed(message);
+            if (!visitAsked_) emit unread(asked, message);
+          });
   connect(loader_, &SourceLoader::finished, this, [this] { emit loadingChanged(false); });
-  connect(loader_, &SourceLoader::loaded, this, [this](const Document& loaded) {
-    if (visitAsked_) return arrive(loaded);
-    endMerge();
-    push(tr("Open %1").arg(QString::fromStdString(titleOf(loaded.session.source))), loaded, {});
-  });
+  connect(loader_, &SourceLoader::loaded, this,
+          [this](const Document& loaded) { visitAsked_ ? arrive(loaded) : openRead(loaded); });
 }
 
 const Technique& SessionController::technique() const {
@@ -161,9 +162,41 @@ void SessionController::rebuildTechniques(const Session& session) {
 }
 
 void SessionController::open(const Workspace& workspace) {
+  visitAsked_ = rereadAsked_ = false;
+  step_.clear();
+  read(workspace);
+}
+
+void SessionController::reread(const SceneSource& source, const QString& step) {
+  Workspace next = workspace();
+  next.shared.source = source;
   visitAsked_ = false;
+  rereadAsked_ = true;
+  step_ = step;
+  read(next);
+}
+
+void SessionController::read(const Workspace& workspace) {
   loader_->load(workspace);
   emit loadingChanged(true);
+}
+
+void SessionController::openRead(const Document& read) {
+  Workspace next = read.workspace;
+  const SceneSource &source = next.shared.source, &open = session().source;
+  if (rereadAsked_) {
+    if (source.kind != open.kind || source.name != open.name) return;  // undone in the meantime
+    Workspace now = workspace();
+    now.shared.source = source;
+    next = std::move(now);
+  }
+  const QString opened = tr("Open %1").arg(QString::fromStdString(titleOf(next.shared.source)));
+  endMerge();
+  push(step_.isEmpty() ? opened : step_, {next, read.content}, {});
+}
+
+void SessionController::stopOpening() {
+  if (!visitAsked_) loader_->drop();
 }
 
 void SessionController::visit(const Workspace& workspace) {
@@ -172,8 +205,7 @@ void SessionController::visit(const Workspace& workspace) {
     return arrive({workspace, document_.content});
   }
   visitAsked_ = true;
-  loader_->load(workspace);
-  emit loadingChanged(true);
+  read(workspace);
 }
 
 void SessionController::arrive(const Document& document) {

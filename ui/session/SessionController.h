@@ -61,6 +61,11 @@ class SessionController : public QObject {
   // Reads the workspace's source beside this thread; what is open stays until it is there. One step
   // for undo.
   void open(const Workspace& workspace);
+  // Reads the open source in another way, or with other parameters: one step for undo, named
+  // `step` where that is not empty, which keeps what else is edited in the meantime.
+  void reread(const SceneSource& source, const QString& step = {});
+  // Gives up what is being read for either.
+  void stopOpening();
   // Opens another source with the same technique and frame settings, and with the light and camera
   // that the source brings.
   void openSource(const SceneSource& source);
@@ -79,6 +84,8 @@ class SessionController : public QObject {
   void loadingChanged(bool loading);
   // Says to people, in one line, what could not be done and why. What was open stays open.
   void failed(const QString& message);
+  // The source of a workspace that was to be opened cannot be read; `failed` has said so.
+  void unread(const umbra::Workspace& asked, const QString& message);
 
  private:
   friend class DocumentCommand;
@@ -94,6 +101,8 @@ class SessionController : public QObject {
   void push(const QString& text, Document after, const QString& mergeKey);
   void show(const Document& document);  // undo, redo and every edit end here
   void rebuildTechniques(const Session& session);
+  void read(const Workspace& workspace);
+  void openRead(const Document& read);
   void arrive(const Document& document);
 
   TechniqueCatalogue catalogue_;
@@ -105,6 +114,8 @@ class SessionController : public QObject {
   QUndoGroup history_;
   std::optional<Document> own_;  // while another one is visited
   bool visitAsked_ = false;      // what is being read is to be visited
+  bool rereadAsked_ = false;     // what is being read is the open source
+  QString step_;                 // then the name of the step, or empty
   SourceLoader* loader_;
   int mergeGroup_ = 0;
 };

@@ -38,7 +38,7 @@ void SourceLoader::report(int number, const Document& document, const QString& e
   if (error.isEmpty())
     emit loaded(document);
   else
-    emit failed(error);
+    emit failed(document.workspace, error);
   emit finished();
 }
 

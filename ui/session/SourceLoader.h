@@ -27,7 +27,7 @@ class SourceLoader : public QObject {
  signals:
   // `document.workspace` is the one that was asked for.
   void loaded(const umbra::Document& document);
-  void failed(const QString& message);
+  void failed(const umbra::Workspace& asked, const QString& message);
   void finished();  // after either
 
  private:

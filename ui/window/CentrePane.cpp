@@ -7,6 +7,7 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 #include <cmath>
+#include <utility>
 
 #include "ui/panes/ComparisonPanes.h"
 #include "ui/panes/PaneHeader.h"
@@ -24,6 +25,12 @@ namespace umbra {
 namespace {
 
 constexpr double receiverSteps = 10000.0;
+// What is read faster needs no message, which would push the picture down for a moment.
+constexpr int noticedAfter = 300;  // milliseconds
+
+QString openingText() {
+  return CentrePane::tr("Opening …");
+}
 
 }  // namespace
 
@@ -64,8 +71,13 @@ CentrePane::CentrePane(SessionController& controller, SceneView& view, Prober& p
             refresh();
             if (!(before.workspace.comparison == after.workspace.comparison)) showReport();
           });
+  opening_.setSingleShot(true);
+  opening_.setInterval(noticedAfter);
+  connect(&opening_, &QTimer::timeout, this, [this] { banner_->showProgress(openingText()); });
   connect(&controller_, &SessionController::loadingChanged, this, [this](bool loading) {
-    if (loading) banner_->showProgress(tr("Opening …"));
+    if (loading) return opening_.start();
+    opening_.stop();
+    if (banner_->text() == openingText()) banner_->dismiss();
   });
   connect(comparison_, &ComparisonPanes::figuresChanged, this, &CentrePane::showReport);
   refresh();
@@ -128,11 +140,14 @@ void CentrePane::refresh() {
     legend_->setNotice(why);
   if (!depth) return;
   if (depth != shownDepth_) {
+    depth_->setOrigin(originOf(document.content));
     depth_->setChannels({tr("depth")}, tr("depth"));
     depth_->setTitle(
         tr("Depth map · %1").arg(QString::fromStdString(titleOf(document.session.source))));
     depth_->setImage(*depth);
-    depth_->fit();
+    // The same file, read otherwise, stays where it was zoomed to.
+    const std::string& file = document.session.source.name;
+    if (std::exchange(shownFile_, file) != file) depth_->fit();
   }
   shownDepth_ = depth;
   const QSignalBlocker quiet(receiver_);

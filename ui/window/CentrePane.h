@@ -1,6 +1,7 @@
 // The middle of the window: messages, the picture or the depth file, and what its colours mean.
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 #include <string>
 
@@ -43,12 +44,14 @@ class CentrePane : public QWidget {
   SceneView& view_;
   Prober& prober_;
   MessageBanner* banner_;
+  QTimer opening_;  // what is being read takes longer than one wants to wait without a word
   QStackedWidget* pages_;
   ComparisonPanes* comparison_;
   ColourBar* legend_;
   ShadowMapView* depth_;
   QSlider* receiver_;  // ten-thousandths
   QLabel* receiverText_;
+  std::string shownFile_;             // whose map depth_ shows
   const void* shownDepth_ = nullptr;  // the map that depth_ shows, to tell a new one
 };
 

@@ -23,6 +23,8 @@
 #include "ui/window/files/BleedingExport.h"
 #include "ui/window/files/FileActions.h"
 #include "ui/window/files/FileDialogs.h"
+#include "ui/window/files/FileDrop.h"
+#include "ui/window/files/ImportSheet.h"
 #include "ui/window/files/SavedSession.h"
 #include "ui/window/files/TableExport.h"
 #include "ui/window/menus/WindowMenus.h"
@@ -76,13 +78,16 @@ void MainWindow::makeDocks() {
 void MainWindow::makeFileActions() {
   dialogs_ = new FileDialogs(*this);
   files_ = new FileActions(*dialogs_, controller_, *view_, *prober_, centre_->comparison(), this);
+  new FileDrop(*this, *files_);
+  import_ = new ImportSheet(*this, controller_);
   tables_ = new TableExport(*dialogs_, *prober_, evidence_->table(), *savedPane_, this);
   bleeding_ = new BleedingExport(*this, *dialogs_, controller_, *view_, *prober_);
 }
 
 void MainWindow::makeMenus() {
-  auto* menus = new WindowMenus(*this, {controller_, *prober_, *saved_, *evidence_, *files_,
-                                        *tables_, *bleeding_, *docks_, *lessons_, *visit_});
+  auto* menus =
+      new WindowMenus(*this, {controller_, *prober_, *saved_, *evidence_, *files_, *import_,
+                              *tables_, *bleeding_, *docks_, *lessons_, *visit_});
   addToolBar(new WindowToolBar(controller_, *menus, this));
 }
 
@@ -105,6 +110,7 @@ void MainWindow::connectMessages() {
   showErrorsOf(bleeding_);
   showErrorsOf(presenter_);
   connect(bleeding_, &BleedingExport::written, banner, &MessageBanner::showNotice);
+  connect(import_, &ImportSheet::refused, banner, &MessageBanner::dismiss);
   const auto showMessagesOf = [this](auto* part) {
     using Part = std::remove_pointer_t<decltype(part)>;
     connect(part, &Part::message, status_, &StatusLine::showMessage);

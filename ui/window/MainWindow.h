@@ -17,6 +17,7 @@ class ControlPane;
 class EvidencePanes;
 class FileActions;
 class FileDialogs;
+class ImportSheet;
 class SavedProbes;
 class SavedProbesPane;
 class LessonController;
@@ -51,6 +52,7 @@ class MainWindow : public QMainWindow {
   LessonController& lessons() { return *lessons_; }
   LessonPane& lessonPane();
   SurfaceExport& surfaces();
+  ImportSheet& importSheet() { return *import_; }
   const std::vector<QDockWidget*>& docks() const;
 
   // See ui/window/files/SavedSession.h.
@@ -94,6 +96,7 @@ class MainWindow : public QMainWindow {
   LessonVisit* visit_ = nullptr;
   FileDialogs* dialogs_ = nullptr;
   FileActions* files_ = nullptr;
+  ImportSheet* import_ = nullptr;
   TableExport* tables_ = nullptr;
   BleedingExport* bleeding_ = nullptr;
   SessionPresenter* presenter_ = nullptr;

@@ -71,6 +71,7 @@ QString sheet() {
     QDoubleSpinBox, QLineEdit { border: 1px solid transparent; border-radius: 3px; padding: 1px 1px 1px 3px;
                                 background: transparent; }
     QDoubleSpinBox:hover, QDoubleSpinBox:focus, QLineEdit { border-color: %2; background: white; }
+    QLineEdit:disabled { background: transparent; color: #9aa5b1; }
     QLineEdit:focus { border-color: %1; }
     QToolButton { border: none; border-radius: 3px; padding: 2px 4px; color: %4; }
     QToolButton:hover { background: %5; color: %3; }

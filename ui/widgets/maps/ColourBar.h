@@ -15,6 +15,7 @@ class ColourBar : public QWidget {
   explicit ColourBar(QWidget* parent = nullptr);
 
   void setLabel(const QString& label);
+  const QString& label() const { return label_; }
   void setScale(ColourMap map, double low, double high, const QString& label);
   // The bar of what the settings' view shows: visibility grey 0 … 1, error diverging over the range
   // that is set, depth 0 … 1, one field for each of the cascades. Hides itself for views whose

@@ -119,8 +119,10 @@ void ShadowMapView::fit() {
 
 void ShadowMapView::showReadout(int x, int y) {
   showLegend();
-  legend_->setLabel(
-      tr("texel %1, %2 · %3").arg(x).arg(y).arg(style::figure(double(canvas_->valueAt({x, y})))));
+  legend_->setLabel(tr("texel %1, %2 · %3")
+                        .arg(x + origin_.x())
+                        .arg(y + origin_.y())
+                        .arg(style::figure(double(canvas_->valueAt({x, y})))));
 }
 
 void ShadowMapView::showLegend() {

@@ -1,6 +1,7 @@
 // The shadow map beside the scene: depth or any channel, with a legend and the probed region.
 #pragma once
 
+#include <QPoint>
 #include <QStringList>
 #include <optional>
 
@@ -30,7 +31,9 @@ class ShadowMapView : public Card {
   // stays where the map's size does.
   void setImage(Image<float> values, int channel = 0);
   void setImage(const DepthMap& depth);  // the first sample of every texel
-  void clear();                          // no map: a hint stands in its place
+  // What the first texel is called in a read-out; 0,0 where nothing was said.
+  void setOrigin(const QPoint& origin) { origin_ = origin; }
+  void clear();  // no map: a hint stands in its place
 
   // Outlined, its centre texel marked; nothing zooms by itself.
   void setRegion(const Region& region);
@@ -57,6 +60,7 @@ class ShadowMapView : public Card {
   QToolButton* regionButton_;
   ShadowMapCanvas* canvas_;
   ColourBar* legend_;
+  QPoint origin_;
 };
 
 }  // namespace umbra

@@ -67,10 +67,10 @@ RegionTable::RegionTable(QWidget* parent) : Card(tr("Region"), parent) {
   clear();
 }
 
-void RegionTable::setProbe(const Probe& probe) {
+void RegionTable::setProbe(const Probe& probe, const QPoint& origin) {
   const RegionStatistics& s = probe.statistics;
   const Region& region = probe.region;
-  set(Texel, QString("%1, %2").arg(region.x).arg(region.y));
+  set(Texel, QString("%1, %2").arg(region.x + origin.x()).arg(region.y + origin.y()));
   set(Texels, QString("%1 · %2")
                   .arg(region.texels.size())
                   .arg(QString::fromStdString(describe(region.kernel))));

@@ -1,6 +1,7 @@
 // The statistics of the probed region.
 #pragma once
 
+#include <QPoint>
 #include <QVector>
 
 #include "analysis/probe/Probe.h"
@@ -16,7 +17,8 @@ class RegionTable : public Card {
  public:
   explicit RegionTable(QWidget* parent = nullptr);
 
-  void setProbe(const Probe& probe);
+  // `origin` is what the map's first texel is called.
+  void setProbe(const Probe& probe, const QPoint& origin = {});
   void clear();
 
   // "label\tfigure", a line each.

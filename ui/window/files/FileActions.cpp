@@ -12,6 +12,7 @@
 #include "ui/session/SessionController.h"
 #include "ui/window/files/Attempt.h"
 #include "ui/window/files/FileDialogs.h"
+#include "ui/window/files/RecentFiles.h"
 #include "ui/window/files/SavedSession.h"
 
 namespace umbra {
@@ -37,6 +38,9 @@ FileActions::FileActions(FileDialogs& dialogs, SessionController& controller, Sc
 
 void FileActions::open(const fs::path& file) {
   const auto read = [&] {
+    std::error_code none;
+    const fs::path named = splitDepthArgument(file.string()).first;
+    if (fs::is_regular_file(named, none)) rememberFile(named);
     if (lowerExtension(file) == ".json") {
       if (looksLikeLesson(file))
         emit lessonOpened(readLesson(file));
@@ -56,6 +60,7 @@ void FileActions::open(const fs::path& file) {
 
 void FileActions::saveSession(const fs::path& file) {
   writeWorkspace(sessionToSave(controller_, view_, prober_), file);
+  rememberFile(file);
 }
 
 void FileActions::savePicture(const fs::path& file) {

@@ -21,8 +21,8 @@ class FileActions : public QObject {
   FileActions(FileDialogs& dialogs, SessionController& controller, SceneView& view, Prober& prober,
               ComparisonPanes& panes, QObject* parent = nullptr);
 
-  // Opens what the file's extension says: a mesh, a depth map (.exr), a session or a lesson
-  // (.json). A lesson is announced; anything else becomes the session, and its source is read
+  // Opens what the file's extension says: a mesh, a depth map, a session or a lesson (.json), and
+  // remembers it. A lesson is announced; anything else becomes the session, and its source is read
   // beside this thread.
   void open(const std::filesystem::path& file);
   // Throw BadOutput.

@@ -72,9 +72,9 @@ void SceneForm::addRow(const SceneParameter& parameter) {
 
 // Light, camera and probe stay as they are, so that the change of the scene itself can be studied.
 void SceneForm::change(const std::string& name, double value) {
-  Workspace next = controller_.workspace();
-  next.shared.source.parameters[name] = value;
-  controller_.open(next);
+  SceneSource source = controller_.session().source;
+  source.parameters[name] = value;
+  controller_.reread(source);
 }
 
 }  // namespace umbra

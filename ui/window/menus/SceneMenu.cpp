@@ -1,16 +1,12 @@
 #include "ui/window/menus/SceneMenu.h"
 
-#include "datasets/meshes/MeshFileReader.h"
 #include "datasets/scenes/SceneCatalogue.h"
 #include "ui/session/SessionController.h"
 #include "ui/widgets/base/Style.h"
 #include "ui/window/files/FileActions.h"
+#include "ui/window/files/FileKinds.h"
 
 namespace umbra {
-
-QString SceneMenu::meshFilter() {
-  return "*" + QString::fromStdString(meshfile::meshExtensions()).replace(" ", " *");
-}
 
 SceneMenu::SceneMenu(SessionController& controller, FileActions& files, QWidget* parent)
     : QMenu(tr("&Scene"), parent) {
@@ -27,10 +23,9 @@ SceneMenu::SceneMenu(SessionController& controller, FileActions& files, QWidget*
     });
   }
   addSeparator();
-  addAction(tr("Open mesh …"), this,
-            [&files] { files.askToOpen(tr("Open mesh"), tr("Meshes (%1)").arg(meshFilter())); });
+  addAction(tr("Open mesh …"), this, [&files] { files.askToOpen(tr("Open mesh"), meshFilter()); });
   addAction(tr("Open depth map …"), this,
-            [&files] { files.askToOpen(tr("Open depth map"), tr("OpenEXR depth map (*.exr)")); });
+            [&files] { files.askToOpen(tr("Open depth map"), depthFilter()); });
   addAction(tr("Open session …"), this,
             [&files] { files.askToOpen(tr("Open session"), tr("Session (*.json)")); });
 }

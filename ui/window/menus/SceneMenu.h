@@ -13,9 +13,6 @@ class SceneMenu : public QMenu {
 
  public:
   SceneMenu(SessionController& controller, FileActions& files, QWidget* parent = nullptr);
-
-  // Patterns of the mesh files that can be opened: "*.obj *.ply".
-  static QString meshFilter();
 };
 
 }  // namespace umbra

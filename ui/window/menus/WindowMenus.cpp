@@ -12,10 +12,13 @@
 #include "ui/widgets/tables/ProbeTable.h"
 #include "ui/window/docks/WindowDocks.h"
 #include "ui/window/files/FileActions.h"
+#include "ui/window/files/FileKinds.h"
+#include "ui/window/files/ImportSheet.h"
 #include "ui/window/menus/ExportMenu.h"
 #include "ui/window/menus/HelpMenu.h"
 #include "ui/window/menus/LessonsMenu.h"
 #include "ui/window/menus/MenuActions.h"
+#include "ui/window/menus/RecentMenu.h"
 #include "ui/window/menus/SceneMenu.h"
 #include "ui/window/menus/TechniqueMenu.h"
 #include "ui/window/menus/ViewMenu.h"
@@ -44,10 +47,15 @@ WindowMenus::WindowMenus(QMainWindow& window, const MenuSubjects& subjects)
 void WindowMenus::addFileMenu() {
   QMenu* menu = window_.menuBar()->addMenu(tr("&File"));
   menu->addMenu(scene_);
-  addAction(*menu, tr("&Open …"), QKeySequence::Open, [this] {
-    subjects_.files.askToOpen(
-        tr("Open"), tr("All that can be opened (%1 *.exr *.json)").arg(SceneMenu::meshFilter()));
-  });
+  addAction(*menu, tr("&Open …"), QKeySequence::Open,
+            [this] { subjects_.files.askToOpen(tr("Open"), everyFilter()); });
+  menu->addMenu(new RecentMenu(subjects_.files, menu));
+  reading_ = addAction(*menu, tr("&How the file is read …"), QKeySequence("Ctrl+I"),
+                       [this] { subjects_.sheet.showSheet(); });
+  const auto refresh = [this] { reading_->setEnabled(subjects_.sheet.available()); };
+  connect(&subjects_.controller, &SessionController::changed, this, refresh);
+  refresh();
+  menu->addSeparator();
   addAction(*menu, tr("&Save session …"), QKeySequence::Save,
             [this] { subjects_.files.askToSaveSession(); });
   menu->addMenu(export_);

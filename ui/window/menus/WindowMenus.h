@@ -3,6 +3,7 @@
 
 #include <QObject>
 
+class QAction;
 class QMainWindow;
 
 namespace umbra {
@@ -11,6 +12,7 @@ class BleedingExport;
 class EvidencePanes;
 class ExportMenu;
 class FileActions;
+class ImportSheet;
 class SavedProbes;
 class LessonController;
 class LessonVisit;
@@ -28,6 +30,7 @@ struct MenuSubjects {
   SavedProbes& saved;
   EvidencePanes& evidence;
   FileActions& files;
+  ImportSheet& sheet;
   TableExport& tables;
   BleedingExport& bleeding;
   WindowDocks& docks;
@@ -57,6 +60,7 @@ class WindowMenus : public QObject {
   SceneMenu* scene_;
   ExportMenu* export_;
   ViewMenu* view_ = nullptr;
+  QAction* reading_ = nullptr;
 };
 
 }  // namespace umbra
