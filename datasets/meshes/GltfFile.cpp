@@ -138,6 +138,33 @@ std::string unchanged(const std::string& path, void*) {
   return path;
 }
 
+bool writeNothing(std::string* problem, const std::string& path, const std::vector<unsigned char>&,
+                  void*) {
+  *problem += path + " is not written\n";
+  return false;
+}
+
+bool sizeBeside(std::size_t* size, std::string* problem, const std::string& path, void*) {
+  std::error_code unreadable;
+  *size = std::size_t(fs::file_size(path, unreadable));
+  if (unreadable) *problem += path + " cannot be read\n";
+  return !unreadable;
+}
+
+// Debian 13's TinyGLTF asks for a file's size through one function more, and for all of them.
+template <class Callbacks>
+Callbacks callbacksFor(fs::path& folder) {
+  Callbacks callbacks{};
+  callbacks.FileExists = existsBeside;
+  callbacks.ExpandFilePath = unchanged;
+  callbacks.ReadWholeFile = readBeside;
+  callbacks.WriteWholeFile = writeNothing;
+  if constexpr (requires { callbacks.GetFileSizeInBytes; })
+    callbacks.GetFileSizeInBytes = sizeBeside;
+  callbacks.user_data = &folder;
+  return callbacks;
+}
+
 // The first line of what TinyGLTF says.
 std::string firstLine(const std::string& said) {
   const std::size_t reason = said.find("the buffer ");
@@ -169,7 +196,7 @@ GltfFile::GltfFile(std::string_view content, const std::string& name)
   fs::path folder = fs::weakly_canonical(fs::path(name).parent_path());
   if (folder.empty()) folder = fs::current_path();
   tinygltf::TinyGLTF loader;
-  loader.SetFsCallbacks({existsBeside, unchanged, readBeside, nullptr, &folder});
+  loader.SetFsCallbacks(callbacksFor<tinygltf::FsCallbacks>(folder));
   std::string problem, warning;
   bool read = false;
   if (parts.isBinary) {
