@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "datasets/json/JsonText.h"
 #include "datasets/lessons/LessonNumbers.h"
 #include "datasets/session/file/JsonObject.h"
-#include "datasets/json/JsonText.h"
 #include "datasets/session/file/SessionFile.h"
 #include "filters/core/support/Error.h"
 #include "filters/core/support/Text.h"

@@ -144,7 +144,8 @@ bool writeNothing(std::string* problem, const std::string& path, const std::vect
   return false;
 }
 
-bool sizeBeside(std::size_t* size, std::string* problem, const std::string& path, void*) {
+[[maybe_unused]] bool sizeBeside(std::size_t* size, std::string* problem, const std::string& path,
+                                 void*) {
   std::error_code unreadable;
   *size = std::size_t(fs::file_size(path, unreadable));
   if (unreadable) *problem += path + " cannot be read\n";

@@ -82,12 +82,12 @@ std::set<std::string> keysOf(const Json& object) {
 
 TEST_F(ProbeDepth, PrintsTheFieldsThatScriptsRelyOn) {
   const Json object = probe(8, 9, 0.7, {"--technique", "vsm"});
-  EXPECT_EQ(keysOf(object),
-            (std::set<std::string>{"format", "source", "region", "receiver", "receiverWorld",
-                                   "receiverFile", "statistics", "reference", "techniques",
-                                   "histogram"}));
+  EXPECT_EQ(keysOf(object), (std::set<std::string>{"format", "source", "region", "receiver",
+                                                   "receiverWorld", "receiverFile", "statistics",
+                                                   "reference", "techniques", "histogram"}));
   EXPECT_EQ(object["format"], "umbrascope-probe/1");
-  EXPECT_EQ(object["source"], (Json{{"name", "m.exr"}, {"width", 24}, {"height", 17}, {"origin", {0, 0}}}));
+  EXPECT_EQ(object["source"],
+            (Json{{"name", "m.exr"}, {"width", 24}, {"height", 17}, {"origin", {0, 0}}}));
   EXPECT_EQ(object["region"],
             (Json{{"texel", {8, 9}}, {"kernel", "box"}, {"radius", 3}, {"texels", 49}}));
   EXPECT_EQ(object["receiver"], 0.7);

@@ -44,9 +44,9 @@ TEST_P(EveryTechnique, GivesAVisibilityWhateverItReads) {
 TEST_P(EveryTechnique, GivesAVisibilityWhereDifferencesVanish) {
   const double least = std::numeric_limits<double>::denorm_min();
   const double above = std::nextafter(0.5, 1.0), below = std::nextafter(1.0, 0.0);
-  const std::vector<std::vector<double>> depths{{0.0},        {least},         {1e-162}, {0.5},
-                                                {1.0},        {0.0, 1.0},      {0.5, above},
-                                                {0.0, least}, {1e-162, 1e-160}, {below, 1.0}};
+  const std::vector<std::vector<double>> depths{
+      {0.0},        {least},      {1e-162},         {0.5},       {1.0}, {0.0, 1.0},
+      {0.5, above}, {0.0, least}, {1e-162, 1e-160}, {below, 1.0}};
   draws::fromSeed(1692, [&] {
     for (const auto& technique : draws::settingsOf(GetParam(), 20))
       for (const std::vector<double>& texels : depths) {
