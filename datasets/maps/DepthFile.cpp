@@ -16,18 +16,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void refuseDepth(const fs::path& file, const std::string& what) {
-  throw Error(ErrorKind::BadInput, file.string() + ": " + what);
-}
-
 void checkRange(const fs::path& file, const DepthImport& import) {
   const std::string range =
       "the depth range from " + toText(import.atZero) + " to " + toText(import.atOne);
   if (!std::isfinite(import.atZero) || !std::isfinite(import.atOne) ||
       import.atZero == import.atOne)
-    refuseDepth(file, range + " is empty; near and far must differ");
+    refuseRaster(file, range + " is empty; near and far must differ");
   if (!std::isfinite(import.atOne - import.atZero))
-    refuseDepth(file, range + " is too wide to divide by");
+    refuseRaster(file, range + " is too wide to divide by");
 }
 
 }  // namespace
@@ -61,7 +57,7 @@ DepthFile readDepth(const fs::path& file, const DepthImport& import) {
   const RasterReader read = rasterReaderOf(file);
   DepthConversion conversion(import, file.string());
   if (!read && file.has_extension())
-    refuseDepth(file, "is no depth map; those end in " + rasterExtensions());
+    refuseRaster(file, "is no depth map; those end in " + rasterExtensions());
   // A file without an extension is one of OpenEXR, or refused as such.
   (read ? read : readExr)(file, import.channel,
                           {[&](const RasterInfo& info) { conversion.begin(info); },

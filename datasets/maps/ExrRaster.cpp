@@ -23,10 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuseExr(const fs::path& file, const std::string& what) {
-  throw Error(ErrorKind::BadInput, file.string() + ": " + what);
-}
-
 // A channel of one part of the file. Viewers show `title`: "part.channel" where the file has
 // several parts.
 struct ChannelPlace {
@@ -39,7 +35,7 @@ std::vector<ChannelPlace> channelsOf(const fs::path& file, const Imf::MultiPartI
   for (int part = 0; part < input.parts(); ++part) {
     const Imf::Header& header = input.header(part);
     if (header.hasType() && Imf::isDeepData(header.type()))
-      refuseExr(file, "is a deep file; a depth map has one value per pixel");
+      refuseRaster(file, "is a deep file; a depth map has one value per pixel");
     const std::string prefix =
         input.parts() > 1 && header.hasName() ? header.name() + "." : std::string();
     for (auto c = header.channels().begin(); c != header.channels().end(); ++c)
@@ -57,13 +53,14 @@ void checkSize(const fs::path& file, const Imf::Header& header, std::int64_t wid
   if (compression == Imf::DWAA_COMPRESSION || compression == Imf::DWAB_COMPRESSION) return;
   const auto bytes = std::int64_t(fs::file_size(file));
   if (2 * width * height > 1100 * bytes)
-    refuseExr(file, "promises " + std::to_string(width) + " × " + std::to_string(height) +
-                        " pixels, which its " + std::to_string(bytes) + " bytes cannot hold");
+    refuseRaster(file, "promises " + std::to_string(width) + " × " + std::to_string(height) +
+                           " pixels, which its " + std::to_string(bytes) + " bytes cannot hold");
 }
 
 void checkChannel(const fs::path& file, const ChannelPlace& place, const Imf::Channel& channel) {
   if (channel.xSampling != 1 || channel.ySampling != 1)
-    refuseExr(file, "channel '" + place.title + "' is subsampled; a depth has one value per pixel");
+    refuseRaster(file,
+                 "channel '" + place.title + "' is subsampled; a depth has one value per pixel");
 }
 
 RasterNumber numberOf(Imf::PixelType type) {
@@ -153,8 +150,8 @@ ChannelPlace channelToRead(const fs::path& file, Imf::MultiPartInputFile& input,
   for (std::size_t i = 0; i < std::min(places.size(), most); ++i)
     titles.push_back(withRange(file, input, places[i]));
   if (places.size() > most) titles.push_back(std::to_string(places.size() - most) + " more");
-  refuseExr(file, "there is no channel '" + clipped(name) + "'; there are " + joined(titles) +
-                      std::string(wanted.empty() ? channelHint : ""));
+  refuseRaster(file, "there is no channel '" + clipped(name) + "'; there are " + joined(titles) +
+                         std::string(wanted.empty() ? channelHint : ""));
 }
 
 // Opens the file for `work`; what OpenEXR says of a damaged one becomes one line.
@@ -170,7 +167,7 @@ void withExr(const fs::path& file, const Work& work) {
   } catch (const std::exception& error) {
     std::string what = error.what();
     std::replace(what.begin(), what.end(), '\n', ' ');
-    refuseExr(file, "cannot be read as OpenEXR: " + what);
+    refuseRaster(file, "cannot be read as OpenEXR: " + what);
   }
 }
 

@@ -17,10 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuseNpy(const fs::path& file, const std::string& what) {
-  throw Error(ErrorKind::BadInput, file.string() + ": " + what);
-}
-
 struct NpyHeader {
   char kind = 0;  // 'f', 'i' or 'u'
   int bytes = 0;
@@ -57,7 +53,7 @@ NpyHeader npyHeader(const fs::path& file, std::string_view text) {
   NpyHeader header;
   const std::string_view type = entryOf(text, "descr");
   if (type.size() < 4 || type[0] != '\'')
-    refuseNpy(file, "holds an array of records; a depth map is one array of numbers");
+    refuseRaster(file, "holds an array of records; a depth map is one array of numbers");
   header.bigEnd = type[1] == '>';
   header.kind = type[2];
   header.bytes = type[3] - '0';
@@ -66,15 +62,15 @@ NpyHeader npyHeader(const fs::path& file, std::string_view text) {
   const bool isWhole = (header.kind == 'i' || header.kind == 'u') &&
                        (header.bytes == 1 || header.bytes == 2 || header.bytes == 4);
   if (!isFloat && !isWhole)
-    refuseNpy(file, "holds numbers of the type " + clipped(type.substr(0, type.find(','))) +
-                        "; float16, float32, float64 and whole numbers up to 32 bits are read");
+    refuseRaster(file, "holds numbers of the type " + clipped(type.substr(0, type.find(','))) +
+                           "; float16, float32, float64 and whole numbers up to 32 bits are read");
   header.columnsFirst = entryOf(text, "fortran_order").starts_with("True");
   const std::vector<int> shape = shapeFrom(entryOf(text, "shape"));
   const bool isMap = shape.size() == 2 || (shape.size() == 3 && shape[2] == 1);
   if (!isMap || shape[0] < 1 || shape[1] < 1 || std::max(shape[0], shape[1]) > largestRasterSide)
-    refuseNpy(file,
-              "has not the shape of a depth map: two dimensions, rows and columns, from 1 to " +
-                  std::to_string(largestRasterSide));
+    refuseRaster(file,
+                 "has not the shape of a depth map: two dimensions, rows and columns, from 1 to " +
+                     std::to_string(largestRasterSide));
   header.height = shape[0];
   header.width = shape[1];
   return header;
@@ -107,26 +103,27 @@ RasterNumber npyNumber(const NpyHeader& header) {
 }  // namespace
 
 void readNpy(const fs::path& file, const std::string& channel, const RasterSink& sink) {
-  if (!channel.empty()) refuseNpy(file, "a NumPy array has no named channels");
+  if (!channel.empty()) refuseRaster(file, "a NumPy array has no named channels");
   const std::string content = contentOf(file, std::uintmax_t(5) << 30);
   const auto byteAt = [&](std::size_t i) {
     return std::size_t(static_cast<unsigned char>(content[i]));
   };
   if (content.size() < 12 || !content.starts_with("\x93NUMPY"))
-    refuseNpy(file, "is no NumPy array; those begin with '\\x93NUMPY'");
+    refuseRaster(file, "is no NumPy array; those begin with '\\x93NUMPY'");
   const bool isLong = byteAt(6) >= 2;
   const std::size_t start = isLong ? 12 : 10;
   const std::size_t length = isLong
                                  ? byteAt(8) | byteAt(9) << 8 | byteAt(10) << 16 | byteAt(11) << 24
                                  : byteAt(8) | byteAt(9) << 8;
-  if (length > content.size() - start) refuseNpy(file, "is truncated: it ends within its header");
+  if (length > content.size() - start)
+    refuseRaster(file, "is truncated: it ends within its header");
   const NpyHeader header = npyHeader(file, std::string_view(content).substr(start, length));
   const std::size_t width = std::size_t(header.width), height = std::size_t(header.height),
                     bytes = std::size_t(header.bytes);
   const std::string_view values = std::string_view(content).substr(start + length);
   if (values.size() < width * height * bytes)
-    refuseNpy(file, "is truncated: it promises " + std::to_string(width * height * bytes) +
-                        " bytes of values and has " + std::to_string(values.size()));
+    refuseRaster(file, "is truncated: it promises " + std::to_string(width * height * bytes) +
+                           " bytes of values and has " + std::to_string(values.size()));
   sink.begin({header.width, header.height, 0, 0, npyNumber(header)});
   std::vector<double> row(width, 0.0);
   for (std::size_t y = 0; y < height; ++y) {

@@ -15,10 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refusePfm(const fs::path& file, const std::string& what) {
-  throw Error(ErrorKind::BadInput, file.string() + ": " + what);
-}
-
 // Removes the next word and the one blank that ends it.
 std::string_view pfmWord(std::string_view& rest) {
   const std::size_t start = rest.find_first_not_of(" \t\r\n");
@@ -47,32 +43,33 @@ float pfmFloat(const char* bytes, bool bigEnd) {
 }  // namespace
 
 void readPfm(const fs::path& file, const std::string& channel, const RasterSink& sink) {
-  if (!channel.empty()) refusePfm(file, "a portable float map has no named channels");
+  if (!channel.empty()) refuseRaster(file, "a portable float map has no named channels");
   const std::string content = contentOf(file, std::uintmax_t(5) << 30);
   std::string_view rest = content;
   const std::string_view kind = pfmWord(rest);
-  if (kind == "PF") refusePfm(file, "is a colour picture (PF); a depth map has one value (Pf)");
-  if (kind != "Pf") refusePfm(file, "is no portable float map; those begin with 'Pf'");
+  if (kind == "PF") refuseRaster(file, "is a colour picture (PF); a depth map has one value (Pf)");
+  if (kind != "Pf") refuseRaster(file, "is no portable float map; those begin with 'Pf'");
   const int width = sideFrom(pfmWord(rest)), height = sideFrom(pfmWord(rest));
   if (width == 0 || height == 0)
-    refusePfm(file,
-              "should say a width and a height from 1 to " + std::to_string(largestRasterSide));
+    refuseRaster(file,
+                 "should say a width and a height from 1 to " + std::to_string(largestRasterSide));
   const std::string_view scaleWord = pfmWord(rest);
   double scale = 0.0;
   const auto [end, problem] =
       std::from_chars(scaleWord.data(), scaleWord.data() + scaleWord.size(), scale);
   if (problem != std::errc() || end != scaleWord.data() + scaleWord.size() || scale == 0.0 ||
       !std::isfinite(scale))
-    refusePfm(file, "should say a scale that is not 0, below 0 for little-endian floats");
+    refuseRaster(file, "should say a scale that is not 0, below 0 for little-endian floats");
   // The one blank after the scale was removed; where lines end in CR and LF, half of it.
   if (rest.data()[-1] == '\r' && rest.starts_with('\n')) rest.remove_prefix(1);
   const std::size_t bytes = 4 * std::size_t(width) * std::size_t(height);
   if (rest.size() < bytes)
-    refusePfm(file, "is truncated: it promises " + std::to_string(bytes) +
-                        " bytes of values and has " + std::to_string(rest.size()));
+    refuseRaster(file, "is truncated: it promises " + std::to_string(bytes) +
+                           " bytes of values and has " + std::to_string(rest.size()));
   if (rest.size() > bytes)
-    refusePfm(file, "has " + std::to_string(rest.size() - bytes) +
-                        " bytes more than its values take, so that where these begin is in doubt");
+    refuseRaster(file,
+                 "has " + std::to_string(rest.size() - bytes) +
+                     " bytes more than its values take, so that where these begin is in doubt");
   sink.begin({width, height, 0, 0, RasterNumber::Float});
   std::vector<double> row(std::size_t(width), 0.0);
   for (int y = 0; y < height; ++y) {

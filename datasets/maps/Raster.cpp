@@ -8,6 +8,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "filters/core/support/Error.h"
+
 namespace umbra {
 namespace {
 
@@ -33,6 +35,10 @@ std::string_view nameOf(RasterNumber number) {
       break;
   }
   return "whole numbers";
+}
+
+void refuseRaster(const std::filesystem::path& file, const std::string& what) {
+  throw Error(ErrorKind::BadInput, file.string() + ": " + what);
 }
 
 double rounded(double value, RasterNumber number) {

@@ -39,6 +39,9 @@ inline constexpr int largestRasterSide = 16384;
 // How a refusal ends where no channel was named: what the command line offers against it.
 inline constexpr std::string_view channelHint = ": name one as FILE.exr:CHANNEL";
 
+// Throws BadInput that begins with the file's name.
+[[noreturn]] void refuseRaster(const std::filesystem::path& file, const std::string& what);
+
 // The readers. `channel` is "" for the one that is meant where none is named. All throw BadInput
 // that begins with the file's name.
 void readExr(const std::filesystem::path& file, const std::string& channel, const RasterSink& sink);

@@ -21,9 +21,16 @@ namespace {
 namespace fs = std::filesystem;
 using OrderedJson = nlohmann::ordered_json;
 
-// Extensions that give the shapes themselves, so that nothing true can be read without them.
-constexpr std::array<std::string_view, 3> shapeExtensions{
-    "KHR_draco_mesh_compression", "EXT_meshopt_compression", "EXT_mesh_gpu_instancing"};
+// Beginnings of the names of extensions that change no shape but how numbers are stored, which
+// accessors say by themselves.
+constexpr std::array<std::string_view, 6> harmlessExtensions{
+    "KHR_materials_", "KHR_technique",         "KHR_texture_",
+    "KHR_lights_",    "KHR_mesh_quantization", "EXT_texture_"};
+
+bool isHarmless(std::string_view extension) {
+  return std::any_of(harmlessExtensions.begin(), harmlessExtensions.end(),
+                     [&](std::string_view known) { return extension.starts_with(known); });
+}
 
 std::uint32_t wordAt(std::string_view bytes, std::size_t at) {
   std::uint32_t word = 0;
@@ -64,6 +71,19 @@ bool lists(const OrderedJson& json, const char* key, std::string_view value) {
   return std::any_of(found->begin(), found->end(), [&](const OrderedJson& element) {
     return element.is_string() && element.get_ref<const std::string&>() == value;
   });
+}
+
+// A reader must refuse a file that requires what it does not know (glTF 2.0, 3.12).
+void checkRequired(const OrderedJson& json, const std::string& name) {
+  const auto required = json.find("extensionsRequired");
+  if (required == json.end() || !required->is_array()) return;
+  for (const OrderedJson& extension : *required) {
+    const std::string text =
+        extension.is_string() ? extension.get<std::string>() : quoted(extension);
+    if (!isHarmless(text))
+      refuse(name,
+             "needs the extension " + clipped(text) + ", which is not read; export without it");
+  }
 }
 
 bool has(const OrderedJson& json, const char* key) {
@@ -184,10 +204,7 @@ GltfFile::GltfFile(std::string_view content, const std::string& name)
   const Parts parts = partsIn(plainText(content, converted), name);
   const OrderedJson json = jsonFromText(parts.json, name);
   checkVersion(json, name);
-  for (std::string_view extension : shapeExtensions)
-    if (lists(json, "extensionsRequired", extension))
-      refuse(name, "needs the extension " + std::string(extension) +
-                       ", which is not read; export without it");
+  checkRequired(json, name);
   if (lists(json, "extensionsUsed", "EXT_mesh_gpu_instancing"))
     notes_.push_back("of its instances one is shown");
   if (has(json, "skins")) notes_.push_back("its skins were not applied");

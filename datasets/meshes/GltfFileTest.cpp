@@ -116,6 +116,9 @@ TEST_F(Gltf, SaysWhatItDoesNotRead) {
   EXPECT_HAS(refusal(changed(cubeGltfText(), R"("2.0")", R"("1.0")")), "version 1.0");
   EXPECT_HAS(refusal(cubeGltfText("", R"(, "extensionsRequired": ["KHR_draco_mesh_compression"])")),
              "KHR_draco_mesh_compression");
+  EXPECT_HAS(refusal(cubeGltfText("", R"(, "extensionsRequired": ["ACME_shape"])")), "ACME_shape");
+  EXPECT_NO_THROW(readMeshFile(
+      put("a.gltf", cubeGltfText("", R"(, "extensionsRequired": ["KHR_materials_unlit"])"))));
   EXPECT_HAS(refusal("{}"), "no asset.version");
   EXPECT_HAS(refusal(std::string(100'000, '[')), "nested more than 64 levels");
   MeshReport report;

@@ -59,7 +59,8 @@ class ObjReader {
       } else if (key == "vn") {
         ++normalsSoFar_;
       } else if (key == "f") {
-        face(*line, lines.number());
+        // A comment may follow an index without a blank.
+        face(line->substr(0, line->find('#')), lines.number());
       } else if (key == "o" || key == "g") {
         part_.object = trimmed(*line);
         mesh_.beginPart(part_);
@@ -84,8 +85,7 @@ class ObjReader {
   }
 
   void face(std::string_view line, std::size_t number) {
-    for (std::string_view corner = nextWord(line); !corner.empty() && corner.front() != '#';
-         corner = nextWord(line)) {
+    for (std::string_view corner = nextWord(line); !corner.empty(); corner = nextWord(line)) {
       const std::size_t slash = corner.find('/'), last = corner.rfind('/');
       const std::uint32_t vertex = resolved(corner.substr(0, slash), verticesSoFar_,
                                             mesh_.positions.size(), "vertex", number);

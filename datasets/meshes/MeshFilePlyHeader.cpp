@@ -95,6 +95,11 @@ PlyHeader readPlyHeader(std::string_view& rest, const std::string& file) {
     if (!right)
       refuseLine(file, lines.number(), "'" + clipped(*line) + "' is not right in a PLY header");
   }
+  // A program that writes CR and LF for each LF did so to the values, too.
+  const std::size_t firstEnd = rest.find('\r');
+  if (format && *format != PlyFormat::Ascii &&
+      rest.substr(std::min(firstEnd, rest.size())).starts_with("\r\r\n"))
+    refuse(file, "was written as text although it is binary: its lines end in CR, CR and LF");
   if (!format) refuse(file, "says no format; a PLY header has 'format ascii 1.0' or binary");
   header.format = *format;
   // Bytes follow the header at once. One that is a line feed belongs to it only if its lines end in

@@ -145,6 +145,7 @@ std::vector<Twin> twins() {
       {"objPathInComment", ".obj", "# C:\\models\\\n" + plateObj(), ""},
       {"objPathAfterAFace", ".obj",
        with(plateObj(), "f 1 2 3 4", "f 1 1 2 # C:\\models\\\nf 1 2 3 4"), "1 face without area"},
+      {"objCommentWithoutABlank", ".obj", with(plateObj(), "1 2 3 4", "1 2 3 4#plate"), ""},
       {"objCarriageReturns", ".obj", everywhere(plateObj(), "\n", "\r"), ""},
       {"objTextureNan", ".obj", with(plateObj(), "f 1", "vt nan nan\nf 1"), ""},
       {"objColours", ".obj", everywhere(plateObj(), "\nv 4 2 0", "\nv 4 2 0 0.5 0.25 1"), ""},
@@ -325,6 +326,8 @@ TEST(MeshFileHeader, RefusesAPlyWhoseUnknownLineMayHaveLaidOutValues) {
   EXPECT_NO_THROW(readMeshFile(folder / "a.ply"));  // no value is left over
   std::ofstream(folder / "b.ply", std::ios::binary) << binary + std::string(7, 'x');
   EXPECT_THROW(readMeshFile(folder / "b.ply"), Error);
+  std::ofstream(folder / "c.ply", std::ios::binary) << binaryPly("\r\r\n");
+  EXPECT_THROW(readMeshFile(folder / "c.ply"), Error);
 }
 
 }  // namespace

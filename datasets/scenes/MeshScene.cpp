@@ -23,10 +23,13 @@ Material plainMaterial() {
 
 // The parts of the file that triangles belong to, less what is not to tell them apart.
 std::set<MeshPart> partsUsed(const RawMesh& raw, bool byObject, bool byMaterial) {
+  std::vector<bool> isUsed(raw.parts.size(), false);
+  for (std::uint32_t part : raw.triangleParts) isUsed[part] = true;
   std::set<MeshPart> parts;
-  for (std::uint32_t part : raw.triangleParts)
-    parts.insert(
-        {byObject ? raw.parts[part].object : "", byMaterial ? raw.parts[part].material : ""});
+  for (std::size_t part = 0; part < raw.parts.size(); ++part)
+    if (isUsed[part])
+      parts.insert(
+          {byObject ? raw.parts[part].object : "", byMaterial ? raw.parts[part].material : ""});
   return parts;
 }
 
