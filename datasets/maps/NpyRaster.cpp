@@ -30,7 +30,7 @@ std::string_view entryOf(std::string_view header, std::string_view key) {
   if (at == std::string_view::npos) return {};
   const std::size_t colon = header.find(':', at);
   if (colon == std::string_view::npos) return {};
-  const std::size_t start = header.find_first_not_of(" ", colon + 1);
+  const std::size_t start = header.find_first_not_of(' ', colon + 1);
   return start == std::string_view::npos ? std::string_view() : header.substr(start);
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -18,7 +19,10 @@ struct MeshPart {
   std::string object;  // OBJ's "o" or "g", STL's "solid", a node of glTF
   std::string material;
 
-  auto operator<=>(const MeshPart&) const = default;
+  bool operator<(const MeshPart& other) const {
+    return std::tie(object, material) < std::tie(other.object, other.material);
+  }
+  bool operator==(const MeshPart&) const = default;
 };
 
 // Polygons in the file's own coordinates and order, all in double: coordinates of a map's grid have
