@@ -5,6 +5,37 @@
 #include <numeric>
 
 namespace umbra {
+namespace {
+
+// Bytes of the character of UTF-8 that the text begins with; 0 where it begins with none that a
+// terminal may show: a byte that is no part of UTF-8, or a control character, such as the one that
+// begins a terminal's commands.
+std::size_t shownBytes(std::string_view text) {
+  const auto byte = [text](std::size_t i) {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
+  };
+  const unsigned first = byte(0);
+  if (first < 0x80) return first >= 0x20 && first != 0x7f ? 1 : 0;
+  const std::size_t bytes = first >= 0xc2 && first < 0xe0   ? 2
+                            : first >= 0xe0 && first < 0xf0 ? 3
+                            : first >= 0xf0 && first < 0xf5 ? 4
+                                                            : 0;
+  for (std::size_t i = 1; i < bytes; ++i)
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+  const bool isControl = first == 0xc2 && byte(1) < 0xa0;
+  const bool isTooLong = (first == 0xe0 && byte(1) < 0xa0) || (first == 0xf0 && byte(1) < 0x90);
+  const bool isHalfOfAPair = first == 0xed && byte(1) >= 0xa0;
+  return isControl || isTooLong || isHalfOfAPair ? 0 : bytes;
+}
+
+// "\x1b"
+std::string escaped(char byte) {
+  char buffer[8];
+  std::snprintf(buffer, sizeof buffer, "\\x%02x", static_cast<unsigned>(byte) & 0xff);
+  return buffer;
+}
+
+}  // namespace
 
 std::string shortNumber(double value) {
   char buffer[32];
@@ -72,15 +103,20 @@ std::string nearestWord(std::string_view word, std::span<const std::string> cand
 
 std::string clipped(std::string_view text) {
   constexpr std::size_t longest = 80;
-  if (text.size() <= longest) return std::string(text);
-  std::size_t end = longest;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80)
-    --end;  // a character of UTF-8 stays whole
-  return std::string(text.substr(0, end)) + "…";
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t bytes = shownBytes(text);
+    const std::string shown = bytes > 0 ? std::string(text.substr(0, bytes)) : escaped(text[0]);
+    if (out.size() + shown.size() > longest) return out + "…";
+    out += shown;
+    text.remove_prefix(std::max<std::size_t>(bytes, 1));
+  }
+  return out;
 }
 
 std::string oneLine(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
   while (!text.empty() && text.back() == ' ') text.pop_back();
   return text;
 }

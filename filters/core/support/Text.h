@@ -21,10 +21,11 @@ std::vector<std::string> split(std::string_view text, char separator);
 // or more that a candidate begins with was broken off: then the shortest such candidate.
 std::string nearestWord(std::string_view word, std::span<const std::string> candidates);
 
-// Text of an input as a message quotes it: its first 80 bytes and "…", where it is longer.
+// Text of an input as a message quotes it: its first 80 bytes and "…", where it is longer. What is
+// no character to be shown stands as "\x1b".
 std::string clipped(std::string_view text);
 
-// The lines of a text as one, without spaces at its end.
+// The lines of a text as one, without control characters, and spaces at its end.
 std::string oneLine(std::string text);
 
 }  // namespace umbra

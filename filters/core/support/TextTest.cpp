@@ -43,5 +43,27 @@ TEST(NearestWord, FindsWhatWasMeant) {
   EXPECT_EQ(nearestWord("vsm", Parts{}), "");
 }
 
+TEST(Clipped, QuotesEightyBytesAtMost) {
+  EXPECT_EQ(clipped("vsm"), "vsm");
+  EXPECT_EQ(clipped(std::string(80, 'a')), std::string(80, 'a'));
+  EXPECT_EQ(clipped(std::string(81, 'a')), std::string(80, 'a') + "…");
+  // A character that would be cut stays out as a whole.
+  EXPECT_EQ(clipped(std::string(79, 'a') + "é"), std::string(79, 'a') + "…");
+}
+
+// A file must not command the terminal that shows a message about it.
+TEST(Clipped, ShowsWhatIsNoCharacterByItsNumber) {
+  EXPECT_EQ(clipped("a\x1b[31mb\n"), "a\\x1b[31mb\\x0a");
+  EXPECT_EQ(clipped("σ² 1 – ½ €"), "σ² 1 – ½ €");
+  EXPECT_EQ(clipped("\xff\xc3"), "\\xff\\xc3");
+  EXPECT_EQ(clipped("\xc2\x9b"), "\\xc2\\x9b");           // a control character of two bytes
+  EXPECT_EQ(clipped("\xc0\x80"), "\\xc0\\x80");           // zero, written too long
+  EXPECT_EQ(clipped("\xed\xa0\x80"), "\\xed\\xa0\\x80");  // half of a pair
+}
+
+TEST(OneLine, HasNoControlCharacters) {
+  EXPECT_EQ(oneLine("a\nb\tc\x1b \n"), "a b c");
+}
+
 }  // namespace
 }  // namespace umbra
