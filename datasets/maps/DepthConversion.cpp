@@ -120,6 +120,7 @@ void DepthConversion::refuse() const {
 }
 
 DepthFile DepthConversion::finish() {
+  if (!info_.note.empty()) file_.notes.push_back(info_.note);
   if (wrong_ > 0) refuse();
   if (import_.projection.kind != DepthProjection::Kind::Linear) scaleDistances();
   if (clamped_ > 0)

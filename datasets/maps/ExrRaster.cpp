@@ -44,23 +44,18 @@ std::vector<ChannelPlace> channelsOf(const fs::path& file, const Imf::MultiPartI
   return places;
 }
 
-// Refuses a size that no file of this length can hold, before memory is allocated for it. Only the
-// DCT compressions store more than deflate's 1032 bytes in one byte; a pixel takes at least two
-// bytes.
+// Only the DCT compressions store more than deflate does; a pixel takes at least two bytes.
 void checkSize(const fs::path& file, const Imf::Header& header, std::int64_t width,
                std::int64_t height) {
   const Imf::Compression compression = header.compression();
   if (compression == Imf::DWAA_COMPRESSION || compression == Imf::DWAB_COMPRESSION) return;
-  const auto bytes = std::int64_t(fs::file_size(file));
-  if (2 * width * height > 1100 * bytes)
-    refuseRaster(file, "promises " + std::to_string(width) + " × " + std::to_string(height) +
-                           " pixels, which its " + std::to_string(bytes) + " bytes cannot hold");
+  checkRasterSize(file, width, height, 16);
 }
 
 void checkChannel(const fs::path& file, const ChannelPlace& place, const Imf::Channel& channel) {
   if (channel.xSampling != 1 || channel.ySampling != 1)
-    refuseRaster(file,
-                 "channel '" + place.title + "' is subsampled; a depth has one value per pixel");
+    refuseRaster(file, "channel '" + clipped(place.title) +
+                           "' is subsampled; a depth has one value per pixel");
 }
 
 RasterNumber numberOf(Imf::PixelType type) {
@@ -121,9 +116,10 @@ std::string withRange(const fs::path& file, Imf::MultiPartInputFile& input,
                      low = std::min(low, value), high = std::max(high, value);
                }});
   } catch (const std::exception&) {
-    return place.title;  // which is no depth
+    return clipped(place.title);  // which is no depth
   }
-  return place.title + (low <= high ? " (" + toText(low) + " to " + toText(high) + ")" : "");
+  return clipped(place.title) +
+         (low <= high ? " (" + toText(low) + " to " + toText(high) + ")" : "");
 }
 
 // OpenEXR checks this limit before it allocates anything. The limit is a setting of the whole
@@ -165,9 +161,7 @@ void withExr(const fs::path& file, const Work& work) {
   } catch (const Error&) {
     throw;
   } catch (const std::exception& error) {
-    std::string what = error.what();
-    std::replace(what.begin(), what.end(), '\n', ' ');
-    refuseRaster(file, "cannot be read as OpenEXR: " + what);
+    refuseRaster(file, "cannot be read as OpenEXR: " + oneLine(error.what()));
   }
 }
 
