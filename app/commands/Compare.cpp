@@ -165,10 +165,12 @@ void CompareCommand::compareMap(Workspace workspace) const {
     first = next;
   }
   throwIfCancelled();
-  if (json) return printJson(compareToJson(rows));
-  if (!folder) return print(compareText(rows));
+  if (!json && !folder) return print(compareText(rows));
+  Json object = compareToJson(rows);
+  addReceiver(object, shortNameOf(session.source), file, *session.receiver);
+  if (json) return printJson(object);
   OutputFolder files(*folder);
-  writeCompare(files, rows);
+  writeCompare(files, object);
   files.finish();
 }
 
@@ -227,7 +229,7 @@ void CompareCommand::compareScene(const Workspace& workspace) const {
   const std::string_view truth = rays ? "raytraced" : "pcf";
   if (json) return printJson(compareToJson(rows, truth));
   if (!files) return print(compareText(rows));
-  writeCompare(*files, rows, truth);
+  writeCompare(*files, compareToJson(rows, truth));
   files->finish();
 }
 

@@ -9,9 +9,11 @@
 #include "app/output/Cancellation.h"
 #include "app/output/ChannelFile.h"
 #include "app/output/Output.h"
+#include "app/reports/StoredReport.h"
 #include "datasets/session/DepthReading.h"
 #include "filters/core/prefilter/Prefilter.h"
 #include "filters/core/support/Error.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {
@@ -20,11 +22,13 @@ struct EncodeCommand {
   explicit EncodeCommand(OptionParser& command);
 
   void run() const;
-  void encodeDepthMap(Session session, ChannelFile& file) const;
+  void encodeDepthMap(Session session, const DepthFile& depth, ChannelFile& file) const;
   void encodeScene(const Session& session, ChannelFile& file) const;
+  void check(const Session& session) const;
 
   SessionOptions options;
-  std::optional<std::string> output, stage;
+  std::optional<std::string> output, stage, against, againstChannels;
+  bool json = false;
   TechniqueCatalogue catalogue = allTechniques();
   BakeStage wanted() const;
   std::vector<std::shared_ptr<Technique>> techniques(const Session& session) const;
@@ -34,10 +38,22 @@ EncodeCommand::EncodeCommand(OptionParser& command) {
   command.add("-o,--output", output, {"Encode", "FILE.exr", "File to write"});
   command.add("--stage", stage,
               {"Encode", "NAME", "encoded, or prefiltered (default): after the kernel"});
+  command.add("--against", against,
+              {"Encode", "FILE",
+               "Check the channels that an engine stored for the depth map: how far they are from "
+               "the exact ones, where, and what that looks like"});
+  command.add(
+      "--against-channels", againstChannels,
+      {"Encode", "A[,B...]",
+       "Names of the technique's channels in that file, in its order (default TECHNIQUE.CHANNEL, "
+       "CHANNEL, or R,G,B,A)"});
+  command.addFlag("--json", json, {"Encode", "", "With --against: print one JSON object"});
   command.setFooter(
       "Writes one part with the channels TECHNIQUE.CHANNEL, and Z: the depth itself, in [0,1].\n"
       "Without --technique it is the session's; hard and pcf store nothing but Z.\n"
-      "Of several cascades it is the first, nearest to the camera; Z is a texel's first sample.");
+      "Of several cascades it is the first, nearest to the camera; Z is a texel's first sample.\n"
+      "With --against it prints a table, and -o may be left out; what it then writes has the\n"
+      "difference of each channel, TECHNIQUE.CHANNEL.difference, beside it.");
   options.addTo(command);
 }
 
@@ -57,18 +73,24 @@ std::vector<std::shared_ptr<Technique>> EncodeCommand::techniques(const Session&
 }
 
 void EncodeCommand::run() const {
-  if (!output) throw Error(ErrorKind::BadCommandLine, "--output: is missing, give -o FILE.exr");
-  if (std::filesystem::path(*output).extension() != ".exr")
+  if (!output && !against)
+    throw Error(ErrorKind::BadCommandLine, "--output: is missing, give -o FILE.exr");
+  if (output && std::filesystem::path(*output).extension() != ".exr")
     throw Error(ErrorKind::BadCommandLine,
                 "--output: '" + *output + "' is not right, it takes FILE.exr");
-  checkWritable(*output);
+  for (const auto& [name, isGiven] :
+       {std::pair("--against-channels", againstChannels.has_value()), std::pair("--json", json)})
+    if (isGiven && !against)
+      throw Error(ErrorKind::BadCommandLine, std::string(name) + ": goes with --against");
+  if (output) checkWritable(*output);
   wanted();
   const Session session = options.session(catalogue);
+  if (against) return check(session);
   if (session.frame.map.format == StorageFormat::Double)
     throw Error(ErrorKind::BadCommandLine, "--format: double does not fit into EXR, take float");
   ChannelFile file(session);
   if (session.source.kind == SourceKind::DepthFile)
-    encodeDepthMap(session, file);
+    encodeDepthMap(session, loadedDepth(session.source), file);
   else
     encodeScene(session, file);
   throwIfCancelled();
@@ -76,10 +98,12 @@ void EncodeCommand::run() const {
   announce(*output);
 }
 
-void EncodeCommand::encodeDepthMap(Session session, ChannelFile& file) const {
+void EncodeCommand::encodeDepthMap(Session session, const DepthFile& depth,
+                                   ChannelFile& file) const {
   session.frame = readSettingsOf(session);
   const auto chosen = techniques(session);
-  const DepthMap map = loadedDepth(session.source).map;
+  const DepthMap& map = depth.map;
+  file.setOrigin({depth.originX, depth.originY});
   const StorageFormat format = session.frame.map.format;
   file.addDepth(map);
   for (const auto& technique : chosen) {
@@ -90,6 +114,50 @@ void EncodeCommand::encodeDepthMap(Session session, ChannelFile& file) const {
                           ? encodeMap(map, *technique, format)
                           : prefilteredMap(map, *technique, session.frame.kernel, format));
   }
+}
+
+void EncodeCommand::check(const Session& session) const {
+  if (session.source.kind != SourceKind::DepthFile)
+    throw Error(ErrorKind::BadCommandLine, "--against: needs the depth map, give --depth FILE");
+  const auto chosen = techniques(session);
+  if (chosen.size() != 1)
+    throw Error(ErrorKind::BadCommandLine,
+                "--against: takes one technique that stores channels, name it by --technique");
+  Technique& technique = *chosen.front();
+  const DepthFile depth = loadedDepth(session.source);
+  technique.adapt(depth.map);
+  Kernel kernel = session.frame.kernel;
+  if (wanted() == BakeStage::Encoded) kernel.shape = KernelShape::None;
+  const std::vector<StoredName> names =
+      storedNames(*against, technique,
+                  againstChannels ? split(*againstChannels, ',') : std::vector<std::string>());
+  std::optional<StorageFormat> format;
+  if (options.namesFormat() || options.namesSession()) format = session.frame.map.format;
+  const std::vector<StoredRow> rows =
+      storedRows(*against, names, depth, technique, kernel, format, throwIfCancelled);
+  if (output) {
+    ChannelFile file(session);
+    encodeDepthMap(session, depth, file);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      StoredAssumption own;
+      own.kernel = kernel;
+      const Image<double> exact =
+          valuesIn(depth.map, own, {depth.map, technique, int(i), kernel, StorageFormat::Double});
+      Image<float> difference(exact.width(), exact.height());
+      for (std::size_t t = 0; t < exact.values().size(); ++t)
+        difference.values()[t] = float(rows[i].stored.values()[t] - exact.values()[t]);
+      file.add(std::string(technique.info().id) + "." + rows[i].name.channel + ".difference",
+               std::move(difference));
+    }
+    throwIfCancelled();
+    file.write(*output);
+    announce(*output);
+  }
+  if (json)
+    printJson(storedToJson(rows, depth, shortNameOf(session.source),
+                           std::filesystem::path(*against).filename().string(), technique, kernel));
+  else
+    print(storedText(rows, depth));
 }
 
 void EncodeCommand::encodeScene(const Session& session, ChannelFile& file) const {

@@ -59,7 +59,7 @@ void ChannelFile::note(const std::string& name, const std::string& text) {
 }
 
 void ChannelFile::write(const std::filesystem::path& file) const {
-  writeExr(file, channels_, attributes_);
+  writeExr(file, channels_, attributes_, ExrPixel::Float, origin_);
 }
 
 }  // namespace umbra

@@ -16,6 +16,8 @@ class ChannelFile {
  public:
   explicit ChannelFile(const Session& session);
 
+  // Texels keep the depth file's own count.
+  void setOrigin(const ExrOrigin& origin) { origin_ = origin; }
   void addDepth(const DepthMap& map);  // "Z"
   // Interleaved in the order of technique.channels(): "vsm.M1", "vsm.M2". Also its parameters.
   void addTechnique(const Technique& technique, const Image<double>& channels);
@@ -33,6 +35,7 @@ class ChannelFile {
  private:
   std::map<std::string, Image<float>> channels_;
   std::map<std::string, std::string> attributes_;
+  ExrOrigin origin_;
 };
 
 // One channel of an interleaved image.

@@ -35,9 +35,7 @@ std::string decompositionText(const std::vector<MetricsRow>& rows) {
 
 }  // namespace
 
-void writeCompare(OutputFolder& folder, const std::vector<MetricsRow>& rows,
-                  std::string_view reference) {
-  const Json object = compareToJson(rows, reference);
+void writeCompare(OutputFolder& folder, const Json& object) {
   std::string csv;
   for (const Json& row : object["techniques"]) {
     std::string heading, line;

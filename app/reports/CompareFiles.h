@@ -9,11 +9,9 @@
 
 namespace umbra {
 
-// compare.json and compare.csv: one row per technique, the numbers of the JSON; nested ones are
-// in the JSON alone.
-// `reference` as in compareToJson.
-void writeCompare(OutputFolder& folder, const std::vector<MetricsRow>& rows,
-                  std::string_view reference = "pcf");
+// compare.json, which is `object` of compareToJson, and compare.csv: one row per technique, the
+// numbers of the JSON; nested ones are in the JSON alone.
+void writeCompare(OutputFolder& folder, const Json& object);
 
 // For people.
 std::string compareText(const std::vector<MetricsRow>& rows);

@@ -117,6 +117,15 @@ void countAsFile(Json& object, const DepthFile& file) {
   object["receiverFile"] = finiteOrNull(file.scale.fileOf(receiver, x, y));
 }
 
+void addReceiver(Json& object, const std::string& sourceName, const DepthFile& file,
+                 double receiver) {
+  object["source"] = sourceToJson(sourceName, file);
+  object["receiver"] = receiver;
+  object["receiverWorld"] = finiteOrNull(file.scale.worldOf(receiver));
+  if (!file.scale.dependsOnTexel())
+    object["receiverFile"] = finiteOrNull(file.scale.fileOf(receiver, 0, 0));
+}
+
 Json probeToJson(const Probe& probe, const DepthMap& map, const ProbeJsonDetail& detail) {
   const Histogram histogram = histogramOf(probe.region, detail.bins);
   Json object = {{"format", "umbrascope-probe/1"},

@@ -43,6 +43,11 @@ Json probeToJson(const Probe& probe, const DepthMap& map, const ProbeJsonDetail&
 // and adds the receiver's depth as "receiverWorld" and, at the region's texel, "receiverFile".
 void countAsFile(Json& object, const DepthFile& file);
 
+// Adds to compareToJson of a depth file's map the "source", and the receiver's depth as "receiver",
+// "receiverWorld" and, where one value of the file is the same depth everywhere, "receiverFile".
+void addReceiver(Json& object, const std::string& sourceName, const DepthFile& file,
+                 double receiver);
+
 // Adds to each technique of probeToJson its "trace": {"steps": [{"symbol", "meaning", "formula",
 // "value"}], "cause", "step", "sentence", "shares": [{"cause", "step", "amount"}]}. Steps count
 // from 0; that of no cause is null. The shares sum to the error, in a seam that of the heavier

@@ -26,11 +26,13 @@ using Attributes = std::map<std::string, std::string>;
 // The header of one part and where the library finds its pixels. The images must outlive it.
 class Part {
  public:
-  Part(const fs::path& file, const Channels& channels, const Attributes& attributes,
-       ExrPixel pixel) {
+  Part(const fs::path& file, const Channels& channels, const Attributes& attributes, ExrPixel pixel,
+       const ExrOrigin& origin = {}) {
     if (channels.empty()) throw Error(ErrorKind::BadOutput, file.string() + ": has no channel");
     const Image<float>& first = channels.begin()->second;
-    header_ = Imf::Header(first.width(), first.height());
+    const Imath::Box2i window({origin.x, origin.y},
+                              {origin.x + first.width() - 1, origin.y + first.height() - 1});
+    header_ = Imf::Header(window, window);
     header_.compression() = Imf::ZIP_COMPRESSION;
     for (const auto& [name, text] : attributes) header_.insert(name, Imf::StringAttribute(text));
     halves_.reserve(channels.size());
@@ -45,22 +47,20 @@ class Part {
 
   Imf::Header& header() { return header_; }
   const Imf::FrameBuffer& pixels() const { return pixels_; }
-  int height() const { return header_.dataWindow().max.y + 1; }
+  int height() const { return header_.dataWindow().size().y + 1; }
 
  private:
   void add(const std::string& name, const Image<float>& image, ExrPixel pixel) {
     const Imf::PixelType type = pixel == ExrPixel::Half ? Imf::HALF : Imf::FLOAT;
     header_.channels().insert(name, Imf::Channel(type));
-    const char* data = reinterpret_cast<const char*>(image.values().data());
-    std::size_t stride = sizeof(float);
+    const void* data = image.values().data();
     if (pixel == ExrPixel::Half) {
       Image<half>& rounded = halves_.emplace_back(image.width(), image.height());
       std::copy(image.values().begin(), image.values().end(), rounded.values().begin());
-      data = reinterpret_cast<const char*>(rounded.values().data());
-      stride = sizeof(half);
+      data = rounded.values().data();
     }
     // The library only reads through the pointer when it writes a file.
-    pixels_.insert(name, Imf::Slice(type, const_cast<char*>(data), stride, stride * image.width()));
+    pixels_.insert(name, Imf::Slice::Make(type, const_cast<void*>(data), header_.dataWindow()));
   }
 
   Imf::Header header_;
@@ -71,8 +71,8 @@ class Part {
 }  // namespace
 
 void writeExr(const fs::path& file, const Channels& channels, const Attributes& attributes,
-              ExrPixel pixel) {
-  Part part(file, channels, attributes, pixel);
+              ExrPixel pixel, const ExrOrigin& origin) {
+  Part part(file, channels, attributes, pixel, origin);
   writeAtomically(file, [&](const fs::path& temporary) {
     Imf::OutputFile output(temporary.c_str(), part.header());
     output.setFrameBuffer(part.pixels());

@@ -20,11 +20,16 @@ struct ExrPart {
   std::map<std::string, std::string> attributes;
 };
 
+// The first texel's coordinates, as viewers of EXR files count.
+struct ExrOrigin {
+  int x = 0, y = 0;
+};
+
 // Both write scan lines, ZIP-compressed. They throw BadOutput; nothing half-written remains.
 void writeExr(const std::filesystem::path& file,
               const std::map<std::string, Image<float>>& channels,
               const std::map<std::string, std::string>& attributes,
-              ExrPixel pixel = ExrPixel::Float);
+              ExrPixel pixel = ExrPixel::Float, const ExrOrigin& origin = {});
 // Several parts, each with a name of its own.
 void writeExr(const std::filesystem::path& file, const std::vector<ExrPart>& parts,
               ExrPixel pixel = ExrPixel::Float);

@@ -72,6 +72,18 @@ TEST_F(DepthProjection, TakesAndTellsTheReceiverInThreeMeasures) {
 }
 
 // Equality is lit: a receiver at a texel's own depth, in whatever measure it is told.
+TEST_F(DepthProjection, NamesTheReceiverOfAComparisonInThreeMeasures) {
+  const std::string file = write("m.exr", perspective);
+  const Json object = run({"compare", "--json", "--depth", file, "--depth-projection",
+                           "perspective:0.5,8", "--receiver", "6w", "--technique", "vsm"})
+                          .json();
+  EXPECT_EQ(object["source"]["name"], "m.exr");
+  EXPECT_EQ(object["source"]["origin"], Json::parse("[0,0]"));
+  EXPECT_NEAR(object["receiver"], 5.5 / 7.5, 1e-6);
+  EXPECT_NEAR(object["receiverWorld"], 6.0, 1e-5);
+  EXPECT_NEAR(object["receiverFile"], 0.97778, 5e-6);
+}
+
 TEST_F(DepthProjection, LightsAReceiverThatATexelHolds) {
   const std::pair<std::string, std::string> maps[] = {
       {"perspective:0.5,8", write("p.exr", perspective)},
