@@ -23,7 +23,7 @@ MAY_INCLUDE = {
 # The rooms of a layer: each may include itself and those before it.
 ROOMS = {
     "filters/core": ["support", "scene", "settings", "maps", "technique", "prefilter", "frame"],
-    "analysis": ["probe", "frame", "errors", "rays", "surfaces", "plots"],
+    "analysis": ["stored", "probe", "frame", "errors", "rays", "surfaces", "plots"],
     "datasets": ["json", "meshes", "maps", "scenes", "session", "session/file", "lessons"],
     "ui": ["plots", "widgets/base", "widgets/forms", "widgets/maps", "widgets/plots", "widgets/tables",
            "session", "picture", "probe", "panes", "errors", "layers", "lessons", "window/files",

@@ -14,6 +14,7 @@
 #include "ui/widgets/plots/PlotPane.h"
 #include "ui/window/CentrePane.h"
 #include "ui/window/MessageBanner.h"
+#include "ui/window/RunWindow.h"
 #include "ui/window/files/ImportSheet.h"
 
 namespace umbra {
@@ -72,6 +73,7 @@ class ImportTest : public WindowFixture {
 
  private slots:
   void aRefusedDepthMapBringsUpItsSheet();
+  void aRefusedDepthMapOfTheCommandLineBringsUpItsSheet();
   void aDamagedFileHasNoSheet();
   void whatTheSheetSaysIsInTheSession();
   void aProjectionWaitsForItsPlanes();
@@ -117,6 +119,19 @@ void ImportTest::aRefusedDepthMapBringsUpItsSheet() {
   QVERIFY(window.controller().document().content == before.content);
   QVERIFY(!window.controller().undoStack().canUndo());
   QVERIFY(!window.importSheet().isVisible());  // a scene of the catalogue is not read
+}
+
+void ImportTest::aRefusedDepthMapOfTheCommandLineBringsUpItsSheet() {
+  Workspace workspace;
+  workspace.shared.source.kind = SourceKind::DepthFile;
+  workspace.shared.source.name = writeDepths("far.exr", rampOver(0.7F, 8.0F, 1e10F));
+  window_ = windowOn(workspace);
+  window_->show();
+  QTRY_VERIFY_WITH_TIMEOUT(window_->importSheet().isVisible(), patience);
+  QVERIFY(problemIn(*window_).contains("hold no depth"));
+  // What nobody can read still ends the program before a window stands there.
+  workspace.shared.source.name = writeFile("letter.exr", "letter");
+  QVERIFY_EXCEPTION_THROWN(windowOn(workspace), Error);
 }
 
 void ImportTest::aDamagedFileHasNoSheet() {

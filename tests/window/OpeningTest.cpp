@@ -113,6 +113,14 @@ void OpeningTest::recentFilesAreListed() {
   QVERIFY(!menu->actions()[1]->isEnabled());
   menu->actions()[2]->trigger();
   untilOpen("r10.exr");
+  // A channel that was asked for is asked for again.
+  window.openFile(files[10] + ":Z");
+  emit menu->aboutToShow();
+  QCOMPARE(menu->actions()[0]->text(), QString("r10.exr:Z"));
+  QVERIFY(menu->actions()[0]->isEnabled());
+  menu->actions()[0]->trigger();
+  QTRY_COMPARE_WITH_TIMEOUT(window.controller().session().source.depth.channel, std::string("Z"),
+                            patience);
 }
 
 // A file that was cut out of a larger one keeps the larger one's count.

@@ -2,9 +2,11 @@
 
 #include <QApplication>
 #include <QOpenGLContext>
+#include <QTimer>
 #include <memory>
 #include <string>
 
+#include "datasets/maps/RawDepths.h"
 #include "filters/core/support/Error.h"
 #include "ui/window/MainWindow.h"
 #include "ui/window/WindowMemory.h"
@@ -26,7 +28,31 @@ void requireOpenGL() {
                                  "Mesa (package libgl1-mesa-dri) has it in software"));
 }
 
+// Whether another reading of the file may succeed: its values can be counted.
+bool isReadable(const SceneSource& source) {
+  if (source.kind != SourceKind::DepthFile) return false;
+  try {
+    readRawDepths(source.name, source.depth.channel);
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 }  // namespace
+
+std::unique_ptr<MainWindow> windowOn(const Workspace& workspace) {
+  try {
+    return std::make_unique<MainWindow>(workspace);
+  } catch (const Error&) {
+    if (!isReadable(workspace.shared.source)) throw;
+  }
+  const Workspace nothing;
+  auto window = std::make_unique<MainWindow>(nothing);
+  const auto ask = [&window = *window, workspace] { window.controller().open(workspace); };
+  QTimer::singleShot(0, window.get(), ask);
+  return window;
+}
 
 int runWindow(int& argc, char** argv, const Workspace& workspace) {
   prepareApplication();
@@ -40,7 +66,7 @@ int runWindow(int& argc, char** argv, const Workspace& workspace) {
       } catch (const Error&) {
         window.reset();  // its file has gone: begin with what was asked for
       }
-  if (!window) window = std::make_unique<MainWindow>(workspace);
+  if (!window) window = windowOn(workspace);
   restoreWindow(*window);
   QObject::connect(window.get(), &MainWindow::closing, [&] { rememberWindow(*window); });
   window->show();

@@ -40,7 +40,7 @@ void FileActions::open(const fs::path& file) {
   const auto read = [&] {
     std::error_code none;
     const fs::path named = splitDepthArgument(file.string()).first;
-    if (fs::is_regular_file(named, none)) rememberFile(named);
+    if (fs::is_regular_file(named, none)) rememberFile(file);
     if (lowerExtension(file) == ".json") {
       if (looksLikeLesson(file))
         emit lessonOpened(readLesson(file));

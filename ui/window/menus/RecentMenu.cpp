@@ -1,5 +1,6 @@
 #include "ui/window/menus/RecentMenu.h"
 
+#include "datasets/maps/DepthFile.h"
 #include "ui/widgets/base/Style.h"
 #include "ui/window/files/FileActions.h"
 #include "ui/window/files/FileDialogs.h"
@@ -25,7 +26,7 @@ void RecentMenu::refresh() {
     const QString name = toText(file.filename()).replace("&", "&&");
     QAction* action = umbra::addAction(*this, name, {}, [this, file] { files_.open(file); });
     std::error_code none;
-    const bool there = std::filesystem::exists(file, none);
+    const bool there = std::filesystem::exists(splitDepthArgument(file.string()).first, none);
     action->setEnabled(there);
     const QString place = toText(file);
     action->setToolTip(style::plainTip(there ? place : tr("%1 is not there any more").arg(place)));
