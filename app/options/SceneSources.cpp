@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/options/OptionValues.h"
+#include "app/output/TerminalProgress.h"
 #include "datasets/meshes/MeshFileReader.h"
 #include "datasets/scenes/SceneCatalogue.h"
 #include "datasets/session/LoadSource.h"
@@ -74,7 +75,7 @@ std::shared_ptr<const Scene> SceneLoader::scene(const SceneSource& source) {
                 "--depth: a depth map has no scene to draw, give --scene NAME|FILE");
   for (const auto& [known, scene] : loaded_)
     if (known == source) return scene;
-  const Content content = loadSource(source);
+  const Content content = loadSource(source, progressOnTerminal(shortNameOf(source)));
   for (const std::string& notice : content.notices) spdlog::warn("{}", notice);
   loaded_.emplace_back(source, content.scene);
   return content.scene;

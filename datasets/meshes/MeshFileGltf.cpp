@@ -42,8 +42,8 @@ Eigen::Affine3d placementOf(const tinygltf::Node& node) {
 
 class GltfReader {
  public:
-  GltfReader(std::string_view content, const std::string& name)
-      : name_(name), file_(content, name), model_(file_.model()) {}
+  GltfReader(std::string_view content, const std::string& name, const Progress& progress)
+      : name_(name), progress_(progress), file_(content, name), model_(file_.model()) {}
 
   PolygonMesh run() {
     mesh_.notes = file_.notes();
@@ -190,6 +190,7 @@ class GltfReader {
   // A placement that mirrors turns faces round.
   void addFaces(int mode, const std::vector<std::uint32_t>& corners, bool mirrored) {
     const bool isList = mode == TINYGLTF_MODE_TRIANGLES;
+    progress_.tell(0.5);  // the file has been taken apart; its buffers are quickly read
     for (std::size_t i = isList ? 0 : 2; isList ? i + 2 < corners.size() : i < corners.size();
          i += isList ? 3 : 1) {
       std::array<std::uint32_t, 3> face{};
@@ -208,6 +209,7 @@ class GltfReader {
   }
 
   const std::string& name_;
+  const Progress progress_;
   const GltfFile file_;
   const tinygltf::Model& model_;
   Values positions_, normals_;
@@ -220,8 +222,8 @@ class GltfReader {
 
 }  // namespace
 
-PolygonMesh readGltf(std::string_view content, const std::string& name) {
-  return GltfReader(content, name).run();
+PolygonMesh readGltf(std::string_view content, const std::string& name, const Progress& progress) {
+  return GltfReader(content, name, progress).run();
 }
 
 }  // namespace umbra::meshfile

@@ -12,7 +12,8 @@ using Eigen::Vector3d;
 
 class ObjReader {
  public:
-  ObjReader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+  ObjReader(std::string_view text, const std::string& name, const Progress& progress)
+      : text_(text), name_(name), progress_(progress) {}
 
   PolygonMesh run() {
     if (text_.substr(0, 256).find('\0') != std::string_view::npos)
@@ -32,7 +33,7 @@ class ObjReader {
  private:
   // Faces may refer to vertices that follow them, so that these are read first.
   void readVectors() {
-    TextLines lines(text_, TextLines::Backslash::Joins);
+    TextLines lines(text_, TextLines::Backslash::Joins, progress_.stage(0.0, 0.5));
     while (auto line = lines.next()) {
       const std::string_view key = nextWord(*line);
       if (key == "v") mesh_.positions.push_back(vector(key, *line, lines.number()));
@@ -51,7 +52,7 @@ class ObjReader {
   }
 
   void readFaces() {
-    TextLines lines(text_, TextLines::Backslash::Joins);
+    TextLines lines(text_, TextLines::Backslash::Joins, progress_.stage(0.5, 1.0));
     while (auto line = lines.next()) {
       const std::string_view key = nextWord(*line);
       if (key == "v") {
@@ -99,6 +100,7 @@ class ObjReader {
 
   std::string_view text_;
   const std::string& name_;
+  const Progress progress_;
   PolygonMesh mesh_;
   std::vector<Vector3d> normals_;
   MeshPart part_;
@@ -107,9 +109,9 @@ class ObjReader {
 
 }  // namespace
 
-PolygonMesh readObj(std::string_view content, const std::string& name) {
+PolygonMesh readObj(std::string_view content, const std::string& name, const Progress& progress) {
   std::string converted;
-  return ObjReader(plainText(content, converted), name).run();
+  return ObjReader(plainText(content, converted), name, progress).run();
 }
 
 }  // namespace umbra::meshfile

@@ -11,7 +11,8 @@ namespace {
 
 class OffReader {
  public:
-  OffReader(std::string_view text, const std::string& name) : lines_(text), name_(name) {}
+  OffReader(std::string_view text, const std::string& name, const Progress& progress)
+      : lines_(text, TextLines::Backslash::IsText, progress), name_(name) {}
 
   PolygonMesh run() {
     readKey();
@@ -131,9 +132,9 @@ class OffReader {
 
 }  // namespace
 
-PolygonMesh readOff(std::string_view content, const std::string& name) {
+PolygonMesh readOff(std::string_view content, const std::string& name, const Progress& progress) {
   std::string converted;
-  return OffReader(plainText(content, converted), name).run();
+  return OffReader(plainText(content, converted), name, progress).run();
 }
 
 }  // namespace umbra::meshfile

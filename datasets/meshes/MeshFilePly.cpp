@@ -25,10 +25,17 @@ std::size_t countOf(const PlyElement& element, std::string_view name) {
                     [&](const PlyProperty& p) { return !p.count && p.name == name; }));
 }
 
+// Elements are told of so often.
+constexpr std::size_t elementsBetween = 16384;
+
 class PlyReader {
  public:
-  PlyReader(std::string_view content, const std::string& name)
-      : name_(name), header_(readPlyHeader(content, name)), values_(content, header_.format) {}
+  PlyReader(std::string_view content, const std::string& name, const Progress& progress)
+      : name_(name),
+        progress_(progress),
+        header_(readPlyHeader(content, name)),
+        values_(content, header_.format),
+        bytes_(values_.left()) {}
 
   PolygonMesh run() {
     findElements();
@@ -77,6 +84,8 @@ class PlyReader {
       mesh_.positions.reserve(std::min<std::uint64_t>(element_->count, values_.left()));
     for (read_ = 0; read_ < element_->count; ++read_) {
       property_ = &element_->properties.front();
+      if (read_ % elementsBetween == 0)
+        progress_.tell(1.0 - double(values_.left()) / double(std::max<std::size_t>(bytes_, 1)));
       try {
         if (element_ == vertex_)
           readVertex();
@@ -191,8 +200,10 @@ class PlyReader {
   }
 
   const std::string& name_;
+  const Progress progress_;
   PlyHeader header_;
   PlyValues values_;
+  std::size_t bytes_ = 0;  // of all values
   const PlyElement *vertex_ = nullptr, *last_ = nullptr, *element_ = nullptr;
   const PlyProperty* property_ = nullptr;
   std::uint64_t faces_ = 0, read_ = 0;  // elements of the kind `element_` so far
@@ -202,9 +213,9 @@ class PlyReader {
 
 }  // namespace
 
-PolygonMesh readPly(std::string_view content, const std::string& name) {
+PolygonMesh readPly(std::string_view content, const std::string& name, const Progress& progress) {
   std::string converted;
-  return PlyReader(plainText(content, converted), name).run();
+  return PlyReader(plainText(content, converted), name, progress).run();
 }
 
 }  // namespace umbra::meshfile

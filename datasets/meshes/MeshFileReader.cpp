@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 
 struct Format {
   const char* extension;
-  PolygonMesh (*read)(std::string_view content, const std::string& name);
+  PolygonMesh (*read)(std::string_view content, const std::string& name, const Progress& progress);
 };
 
 constexpr std::array<Format, 6> formats{{{".obj", readObj},
@@ -25,9 +25,9 @@ constexpr std::array<Format, 6> formats{{{".obj", readObj},
                                          {".gltf", readGltf}}};
 
 PolygonMesh polygonsOf(std::string_view content, const std::string& extension,
-                       const std::string& name) {
+                       const std::string& name, const Progress& progress) {
   for (const Format& format : formats)
-    if (extension == format.extension) return format.read(content, name);
+    if (extension == format.extension) return format.read(content, name, progress);
   refuse(name, "is no mesh file; those end in " + meshExtensions());
 }
 
@@ -41,14 +41,18 @@ bool hasArea(const std::vector<Vector3d>& positions, const Triangle& t) {
 
 class Triangulation {
  public:
-  Triangulation(const PolygonMesh& polygons, RawMesh& raw) : polygons_(polygons), raw_(raw) {}
+  Triangulation(const PolygonMesh& polygons, RawMesh& raw, const Progress& progress)
+      : polygons_(polygons), raw_(raw), progress_(progress) {}
 
   void run() {
     raw_.report.shortFaces = polygons_.shortFaces;
     raw_.report.nonFiniteFaces = polygons_.nonFiniteFaces;
     raw_.triangles.reserve(polygons_.faceCount());
     raw_.triangleParts.reserve(polygons_.faceCount());
-    for (std::size_t f = 0; f < polygons_.faceCount(); ++f) add(f);
+    for (std::size_t f = 0; f < polygons_.faceCount(); ++f) {
+      progress_.step(f, polygons_.faceCount());
+      add(f);
+    }
   }
 
  private:
@@ -84,6 +88,7 @@ class Triangulation {
 
   const PolygonMesh& polygons_;
   RawMesh& raw_;
+  const Progress progress_;
   std::vector<Vector3d> corners_;
   std::uint64_t testsLeft_ = manyTests;  // of the whole file
 };
@@ -102,14 +107,15 @@ bool isMeshName(const std::filesystem::path& file) {
                      [&](const Format& format) { return extension == format.extension; });
 }
 
-RawMesh readMesh(std::string_view content, const std::string& extension, const std::string& name) {
-  PolygonMesh polygons = polygonsOf(content, extension, name);
+RawMesh readMesh(std::string_view content, const std::string& extension, const std::string& name,
+                 const Progress& progress) {
+  PolygonMesh polygons = polygonsOf(content, extension, name, progress.stage(0.0, 0.8));
   RawMesh raw;
   raw.positions = std::move(polygons.positions);
   raw.parts = polygons.parts;
   raw.materials = polygons.materials;
   raw.report.notes = polygons.notes;
-  Triangulation(polygons, raw).run();
+  Triangulation(polygons, raw, progress.stage(0.8, 1.0)).run();
   const MeshReport& report = raw.report;
   if (raw.triangles.empty()) {
     const std::string left = report.summary();
@@ -124,8 +130,9 @@ RawMesh readMesh(std::string_view content, const std::string& extension, const s
   return raw;
 }
 
-RawMesh readRawMesh(const std::filesystem::path& file) {
-  return readMesh(contentOf(file, largestMesh), lowered(file.extension().string()), file.string());
+RawMesh readRawMesh(const std::filesystem::path& file, const Progress& progress) {
+  return readMesh(contentOf(file, largestMesh), lowered(file.extension().string()), file.string(),
+                  progress);
 }
 
 }  // namespace umbra::meshfile

@@ -34,14 +34,15 @@ bool isMeshName(const std::filesystem::path& file);
 
 // `extension` (".obj") says which format `content` has; messages call the file `name`. Throws
 // BadInput.
-RawMesh readMesh(std::string_view content, const std::string& extension, const std::string& name);
+RawMesh readMesh(std::string_view content, const std::string& extension, const std::string& name,
+                 const Progress& progress = {});
 // The same of a file on the disk.
-RawMesh readRawMesh(const std::filesystem::path& file);
+RawMesh readRawMesh(const std::filesystem::path& file, const Progress& progress = {});
 
 // Some of the mesh's triangles, moved by `placement` in double before they are stored as floats.
 // Normals are the file's or, where it has none, computed ones. For these, equal positions count as
 // one vertex, since models often have doubled vertices along their creases.
 Mesh placedMesh(const RawMesh& raw, std::span<const Triangle> triangles,
-                const Eigen::Affine3d& placement);
+                const Eigen::Affine3d& placement, const Progress& progress = {});
 
 }  // namespace umbra::meshfile

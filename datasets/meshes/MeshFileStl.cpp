@@ -19,7 +19,8 @@ void addVertex(PolygonMesh& mesh, const Vector3d& position) {
 // Words in any case, one after the other; what is between known ones is passed over.
 class StlText {
  public:
-  StlText(std::string_view text, const std::string& name) : lines_(text), name_(name) {}
+  StlText(std::string_view text, const std::string& name, const Progress& progress)
+      : lines_(text, TextLines::Backslash::IsText, progress), name_(name) {}
 
   PolygonMesh run() {
     for (std::string key = word(); !key.empty(); key = word()) {
@@ -106,7 +107,8 @@ bool isPlaceholder(std::uint32_t count) {
   return count == 0 || count == UINT32_MAX;
 }
 
-PolygonMesh readStlBinary(std::string_view content, const std::string& name) {
+PolygonMesh readStlBinary(std::string_view content, const std::string& name,
+                          const Progress& progress) {
   if (content.size() < stlHeader)
     refuse(name, "is no STL file, or truncated: one has 84 bytes or more, or begins with 'solid'");
   const std::uint32_t promised = promisedFacets(content);
@@ -126,6 +128,7 @@ PolygonMesh readStlBinary(std::string_view content, const std::string& name) {
                          " bytes that follow the promised facets were left out");
   mesh.positions.reserve(3 * facets);
   for (std::size_t facet = 0; facet < facets; ++facet) {
+    progress.step(facet, facets);
     std::array<float, 9> values;
     // These follow the normal. They are little-endian, as this machine's are.
     std::memcpy(values.data(), content.data() + stlHeader + facet * stlFacet + 12, sizeof values);
@@ -147,10 +150,11 @@ bool isText(std::string_view content, std::string_view text) {
 
 }  // namespace
 
-PolygonMesh readStl(std::string_view content, const std::string& name) {
+PolygonMesh readStl(std::string_view content, const std::string& name, const Progress& progress) {
   std::string converted;
   const std::string_view text = plainText(content, converted);
-  return isText(content, text) ? StlText(text, name).run() : readStlBinary(content, name);
+  return isText(content, text) ? StlText(text, name, progress).run()
+                               : readStlBinary(content, name, progress);
 }
 
 }  // namespace umbra::meshfile

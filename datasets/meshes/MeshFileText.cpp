@@ -8,6 +8,9 @@
 namespace umbra::meshfile {
 namespace {
 
+// Lines are told of so often.
+constexpr std::size_t linesBetween = 8192;
+
 void appendUtf8(std::string& out, std::uint32_t point) {
   const auto tail = [&](int shift) { out += char(0x80 | (point >> shift & 0x3f)); };
   if (point < 0x80) {
@@ -75,7 +78,7 @@ std::string_view plainText(std::string_view content, std::string& converted) {
 
 std::optional<std::string_view> TextLines::nextPhysical() {
   if (rest_.empty()) return std::nullopt;
-  ++read_;
+  if (++read_ % linesBetween == 0) progress_.tell(1.0 - double(rest_.size()) / double(bytes_));
   std::size_t end = 0;
   while (end < rest_.size() && rest_[end] != '\n' && rest_[end] != '\r') ++end;
   const std::string_view line = rest_.substr(0, end);

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "filters/core/support/Progress.h"
+
 namespace umbra::meshfile {
 
 // The text without a byte-order mark. UTF-16 becomes UTF-8 and then lies in `converted`, which the
@@ -19,8 +21,9 @@ class TextLines {
   // In an OBJ file a backslash at a line's end joins it with the next one.
   enum class Backslash { IsText, Joins };
 
-  explicit TextLines(std::string_view text, Backslash backslash = Backslash::IsText)
-      : rest_(text), backslash_(backslash) {}
+  explicit TextLines(std::string_view text, Backslash backslash = Backslash::IsText,
+                     const Progress& progress = {})
+      : rest_(text), backslash_(backslash), bytes_(text.size()), progress_(progress) {}
 
   // The next line without its end; nothing where there is none. It is valid until the next call.
   std::optional<std::string_view> next();
@@ -37,7 +40,8 @@ class TextLines {
   std::string_view rest_;
   std::string joined_;
   Backslash backslash_;
-  std::size_t read_ = 0, number_ = 0;
+  std::size_t read_ = 0, number_ = 0, bytes_ = 0;
+  Progress progress_;
 };
 
 // Removes the next word from `rest`; empty where there is none.

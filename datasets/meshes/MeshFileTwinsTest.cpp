@@ -317,6 +317,22 @@ TEST(MeshFileParts, BecomeObjectsOfTheirNames) {
                    "apart"}));
 }
 
+// A vertex at 1e6 scales all others to nothing: that is said.
+TEST(MeshFileStrays, AreNamed) {
+  const TemporaryFolder folder;
+  const auto notesOf = [&](const std::string& last) {
+    std::ofstream(folder / "a.obj")
+        << lines(platePoints, "v ") << "v 1 2 1\nv " << last << "\nf 1 2 3 4\nf 5 6 7\nf 1 8 9\n";
+    MeshReport report;
+    sceneFromMeshFile(folder / "a.obj", UpAxis::Y, &report);
+    return report.notes;
+  };
+  EXPECT_TRUE(notesOf("9 2 9").empty());
+  EXPECT_EQ(notesOf("1e6 2 3"),
+            std::vector<std::string>{"1 vertex lies more than a thousand times as far out as all "
+                                     "others are wide, which makes a dot of these"});
+}
+
 TEST(MeshFileHeader, RefusesAPlyWhoseUnknownLineMayHaveLaidOutValues) {
   const TemporaryFolder folder;
   std::ofstream(folder / "a.ply") << with(platePly(), "element face",

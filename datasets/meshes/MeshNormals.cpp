@@ -84,13 +84,14 @@ Incidence incidenceOf(std::size_t vertices, std::span<const Triangle> triangles,
 }  // namespace
 
 Mesh withNormals(std::span<const Eigen::Vector3f> positions, std::span<const Triangle> triangles,
-                 double crease) {
+                 double crease, const Progress& progress) {
   const Faces faces = facesOf(positions, triangles);
   const Incidence incidence = incidenceOf(positions.size(), triangles, faces);
   const double smallestCosine = std::cos(crease * std::numbers::pi / 180.0);
   Mesh mesh;
   std::vector<Triangle> welded(triangles.begin(), triangles.end());
   for (std::size_t v = 0; v < positions.size(); ++v) {
+    progress.step(v, positions.size());
     const std::span around(incidence.corners.data() + incidence.first[v],
                            incidence.first[v + 1] - incidence.first[v]);
     const std::size_t firstCopy = mesh.positions.size();

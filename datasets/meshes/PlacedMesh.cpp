@@ -1,26 +1,10 @@
 // How a part of a mesh file becomes a mesh of floats.
-#include <bit>
-#include <unordered_map>
-
 #include "datasets/meshes/MeshFileReader.h"
 #include "datasets/meshes/MeshNormals.h"
+#include "filters/core/scene/Weld.h"
 
 namespace umbra::meshfile {
 namespace {
-
-struct PositionHash {
-  std::size_t operator()(const std::array<std::uint32_t, 3>& bits) const {
-    std::uint64_t hash = 0;
-    for (std::uint32_t b : bits) hash = (hash ^ b) * 0x9e3779b97f4a7c15u, hash ^= hash >> 29;
-    return std::size_t(hash);
-  }
-};
-
-std::array<std::uint32_t, 3> bitsOf(const Eigen::Vector3f& p) {
-  // Adding 0 makes +0 of −0, which is equal to it.
-  return {std::bit_cast<std::uint32_t>(p.x() + 0.0f), std::bit_cast<std::uint32_t>(p.y() + 0.0f),
-          std::bit_cast<std::uint32_t>(p.z() + 0.0f)};
-}
 
 // The vertices that triangles use, in the order of their first use.
 struct Used {
@@ -48,14 +32,12 @@ Used usedOf(std::size_t positions, std::span<const Triangle> triangles) {
 
 // Lets triangles share what are equal positions.
 void weld(std::vector<Eigen::Vector3f>& positions, std::vector<Triangle>& triangles) {
-  std::unordered_map<std::array<std::uint32_t, 3>, std::uint32_t, PositionHash> first;
-  first.reserve(positions.size());
-  std::vector<std::uint32_t> place(positions.size());
+  std::vector<std::uint32_t> place = firstOfEqual(positions);
   std::size_t kept = 0;
   for (std::size_t v = 0; v < positions.size(); ++v) {
-    const auto [found, isNew] = first.try_emplace(bitsOf(positions[v]), std::uint32_t(kept));
-    if (isNew) positions[kept++] = positions[v];
-    place[v] = found->second;
+    const bool isFirst = place[v] == v;
+    if (isFirst) positions[kept] = positions[v];
+    place[v] = isFirst ? std::uint32_t(kept++) : place[place[v]];
   }
   positions.resize(kept);
   for (Triangle& t : triangles)
@@ -65,7 +47,8 @@ void weld(std::vector<Eigen::Vector3f>& positions, std::vector<Triangle>& triang
 }  // namespace
 
 Mesh placedMesh(const RawMesh& raw, std::span<const Triangle> triangles,
-                const Eigen::Affine3d& placement) {
+                const Eigen::Affine3d& placement, const Progress& progress) {
+  progress.tell(0.0);
   Used used = usedOf(raw.positions.size(), triangles);
   std::vector<Eigen::Vector3f> positions;
   positions.reserve(used.vertices.size());
@@ -73,7 +56,7 @@ Mesh placedMesh(const RawMesh& raw, std::span<const Triangle> triangles,
     positions.push_back((placement * raw.positions[v]).cast<float>());
   if (raw.normals.empty()) {
     weld(positions, used.triangles);
-    return withNormals(positions, used.triangles);
+    return withNormals(positions, used.triangles, usualCrease, progress.stage(0.3, 1.0));
   }
   Mesh mesh;
   mesh.positions = std::move(positions);

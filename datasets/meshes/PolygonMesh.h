@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "filters/core/scene/Scene.h"
+#include "filters/core/support/Progress.h"
 
 namespace umbra::meshfile {
 
@@ -84,10 +85,15 @@ class PolygonMesh {
 
 // The readers. Messages call the file `name`. All throw BadInput where the content is no mesh of
 // that format, or is truncated, with what was read and what was promised.
-PolygonMesh readObj(std::string_view content, const std::string& name);
-PolygonMesh readPly(std::string_view content, const std::string& name);
-PolygonMesh readOff(std::string_view content, const std::string& name);
-PolygonMesh readStl(std::string_view content, const std::string& name);
-PolygonMesh readGltf(std::string_view content, const std::string& name);
+PolygonMesh readObj(std::string_view content, const std::string& name,
+                    const Progress& progress = {});
+PolygonMesh readPly(std::string_view content, const std::string& name,
+                    const Progress& progress = {});
+PolygonMesh readOff(std::string_view content, const std::string& name,
+                    const Progress& progress = {});
+PolygonMesh readStl(std::string_view content, const std::string& name,
+                    const Progress& progress = {});
+PolygonMesh readGltf(std::string_view content, const std::string& name,
+                     const Progress& progress = {});
 
 }  // namespace umbra::meshfile

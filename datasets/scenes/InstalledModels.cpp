@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "datasets/meshes/ArchiveFile.h"
+#include "datasets/scenes/ArchiveFile.h"
 #include "datasets/meshes/MaterialFile.h"
 #include "datasets/meshes/MeshFileReader.h"
 #include "datasets/scenes/ModelStage.h"

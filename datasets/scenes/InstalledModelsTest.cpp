@@ -7,7 +7,7 @@
 #include <fstream>
 #include <map>
 
-#include "datasets/meshes/ArchiveFile.h"
+#include "datasets/scenes/ArchiveFile.h"
 #include "datasets/meshes/MaterialFile.h"
 #include "datasets/meshes/MeshFileSamples.h"
 #include "filters/core/support/Error.h"

@@ -1,7 +1,10 @@
 #include "datasets/scenes/MeshScene.h"
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "datasets/scenes/ModelStage.h"
 #include "filters/core/support/Text.h"
@@ -109,12 +112,53 @@ class Parts {
   std::vector<ModelPart> parts_;
 };
 
+// The ends of a list of coordinates without its outermost ones: a two-hundredth at either end, and
+// at least one.
+std::pair<double, double> endsWithin(std::vector<double> values) {
+  const std::size_t cut = std::max<std::size_t>(1, values.size() / 200);
+  const auto at = [&](std::size_t place) {
+    std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(place), values.end());
+    return values[place];
+  };
+  const double low = at(cut);
+  return {low, at(values.size() - 1 - cut)};
+}
+
+// A file is scaled by its longest side: a few vertices far away make a dot of all others.
+void noteStrays(RawMesh& raw) {
+  constexpr double farAway = 1000.0;  // times the longest side of what the others span
+  constexpr std::size_t fewest = 8;   // vertices that tell what is far
+  std::vector<bool> isUsed(raw.positions.size(), false);
+  for (const meshfile::Triangle& triangle : raw.triangles)
+    for (std::uint32_t vertex : triangle) isUsed[vertex] = true;
+  Eigen::AlignedBox3d within;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double> values;
+    for (std::size_t v = 0; v < isUsed.size(); ++v)
+      if (isUsed[v]) values.push_back(raw.positions[v][axis]);
+    if (values.size() < fewest) return;
+    std::tie(within.min()[axis], within.max()[axis]) = endsWithin(std::move(values));
+  }
+  const double side = within.sizes().maxCoeff();
+  if (!(side > 0.0)) return;
+  std::size_t strays = 0;
+  for (std::size_t v = 0; v < isUsed.size(); ++v)
+    strays += isUsed[v] && within.exteriorDistance(raw.positions[v]) > farAway * side;
+  if (strays > 0)
+    raw.report.notes.push_back(std::to_string(strays) +
+                               (strays == 1 ? " vertex lies" : " vertices lie") +
+                               " more than a thousand times as far out as all others are wide, "
+                               "which makes a dot of these");
+}
+
 }  // namespace
 
-Scene sceneFromMeshFile(const std::filesystem::path& file, UpAxis up, MeshReport* report) {
-  RawMesh raw = meshfile::readRawMesh(file);
+Scene sceneFromMeshFile(const std::filesystem::path& file, UpAxis up, MeshReport* report,
+                        const Progress& progress) {
+  RawMesh raw = meshfile::readRawMesh(file, progress.stage(0.0, 0.8));
+  noteStrays(raw);
   const std::vector<ModelPart> parts = Parts(raw, file.stem().string()).run(raw.report);
-  Scene scene = stagedScene(raw, parts, {.zIsUp = up == UpAxis::Z});
+  Scene scene = stagedScene(raw, parts, {.zIsUp = up == UpAxis::Z}, progress.stage(0.8, 1.0));
   scene.name = file.stem().string();
   scene.title = file.filename().string();
   scene.description = "A mesh file on a ground plane, scaled to about four units.";

@@ -5,6 +5,7 @@
 
 #include "datasets/meshes/MeshFile.h"
 #include "filters/core/scene/Scene.h"
+#include "filters/core/support/Progress.h"
 
 namespace umbra {
 
@@ -13,6 +14,6 @@ namespace umbra {
 // that names nothing, or too many things to be told apart, becomes one of the file's name. Throws
 // BadInput as readMeshFile does.
 Scene sceneFromMeshFile(const std::filesystem::path& file, UpAxis up = UpAxis::Y,
-                        MeshReport* report = nullptr);
+                        MeshReport* report = nullptr, const Progress& progress = {});
 
 }  // namespace umbra

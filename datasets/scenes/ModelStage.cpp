@@ -35,7 +35,7 @@ Eigen::Affine3d raised() {
 }  // namespace
 
 Scene stagedScene(const meshfile::RawMesh& raw, const std::vector<ModelPart>& parts,
-                  const ModelStage& stage) {
+                  const ModelStage& stage, const Progress& progress) {
   Eigen::Affine3d turned = scenes::turned(stage.turn);
   if (stage.zIsUp) turned = turned * raised();
   const Eigen::AlignedBox3d box = boundsOf(raw, parts, turned);
@@ -44,11 +44,14 @@ Scene stagedScene(const meshfile::RawMesh& raw, const std::vector<ModelPart>& pa
   const Eigen::Affine3d placement =
       Eigen::Affine3d(Eigen::Scaling(scale)) * Eigen::Translation3d(-foot) * turned;
   Scene scene;
-  for (const ModelPart& part : parts) {
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const ModelPart& part = parts[p];
+    const double count = double(parts.size());
     SceneObject object;
     object.name = part.name;
     object.material = part.material;
-    object.mesh = meshfile::placedMesh(raw, part.triangles, placement);
+    object.mesh = meshfile::placedMesh(raw, part.triangles, placement,
+                                       progress.stage(double(p) / count, double(p + 1) / count));
     scene.objects.push_back(std::move(object));
   }
 

@@ -28,6 +28,6 @@ struct ModelPart {
 // Scales the parts, centres them over the origin with their lowest point on y = 0, and adds a paved
 // ground, a directional light and a camera whose view holds model and shadow.
 Scene stagedScene(const meshfile::RawMesh& raw, const std::vector<ModelPart>& parts,
-                  const ModelStage& stage);
+                  const ModelStage& stage, const Progress& progress = {});
 
 }  // namespace umbra

@@ -7,10 +7,11 @@
 namespace umbra {
 namespace {
 
-Scene readScene(const SceneSource& source, std::vector<std::string>& notices) {
+Scene readScene(const SceneSource& source, std::vector<std::string>& notices,
+                const Progress& progress) {
   if (source.kind == SourceKind::Catalogue) return makeScene(source.name, source.parameters);
   MeshReport report;
-  Scene scene = sceneFromMeshFile(source.name, source.up, &report);
+  Scene scene = sceneFromMeshFile(source.name, source.up, &report, progress);
   if (const std::string doubts = report.summary(); !doubts.empty())
     notices.push_back(source.name + ": " + doubts);
   return scene;
@@ -29,7 +30,7 @@ DepthFile loadDepth(const SceneSource& source) {
   return file;
 }
 
-Content loadSource(const SceneSource& source) {
+Content loadSource(const SceneSource& source, const Progress& progress) {
   Content content;
   if (source.kind == SourceKind::DepthFile) {
     content.depthFile = std::make_shared<const DepthFile>(loadDepth(source));
@@ -37,7 +38,7 @@ Content loadSource(const SceneSource& source) {
     content.notices = content.depthFile->notes;
     return content;
   }
-  content.scene = std::make_shared<const Scene>(readScene(source, content.notices));
+  content.scene = std::make_shared<const Scene>(readScene(source, content.notices, progress));
   if (content.scene->triangleCount() == 0)
     throw Error(ErrorKind::BadInput, source.name + ": there is no triangle to draw");
   return content;

@@ -7,6 +7,7 @@
 
 #include "datasets/session/Session.h"
 #include "filters/core/maps/Image.h"
+#include "filters/core/support/Progress.h"
 
 namespace umbra {
 
@@ -27,8 +28,8 @@ struct Content {
 Pixel texelInFile(const Content& content, const Pixel& texel);
 
 // Throws BadInput for what cannot be read, is not in the catalogue or has no triangle to draw. Safe
-// on any thread.
-Content loadSource(const SceneSource& source);
+// on any thread. Who hears the progress of a mesh file may stop it by an exception.
+Content loadSource(const SceneSource& source, const Progress& progress = {});
 // A depth-file source, alone: a large one is not kept twice. Throws BadInput.
 DepthFile loadDepth(const SceneSource& source);
 

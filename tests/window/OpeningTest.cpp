@@ -6,8 +6,10 @@
 
 #include <QDropEvent>
 #include <QMimeData>
+#include <QSignalSpy>
 #include <QTableView>
 #include <QTest>
+#include <QToolButton>
 #include <QUrl>
 
 #include "tests/window/DepthRamp.h"
@@ -21,6 +23,7 @@
 #include "ui/widgets/maps/ShadowMapView.h"
 #include "ui/widgets/tables/RegionTable.h"
 #include "ui/window/CentrePane.h"
+#include "ui/window/MessageBanner.h"
 #include "ui/window/files/RecentFiles.h"
 #include "ui/window/menus/RecentMenu.h"
 
@@ -43,6 +46,7 @@ class OpeningTest : public WindowFixture {
   void everyKindOfFileIsDropped();
   void recentFilesAreListed();
   void texelsAreCalledAsTheFileCallsThem();
+  void howFarTheReadingIsCanBeSeenAndStopped();
 
  private:
   void drop(const std::string& file);
@@ -121,6 +125,26 @@ void OpeningTest::recentFilesAreListed() {
   menu->actions()[0]->trigger();
   QTRY_COMPARE_WITH_TIMEOUT(window.controller().session().source.depth.channel, std::string("Z"),
                             patience);
+}
+
+void OpeningTest::howFarTheReadingIsCanBeSeenAndStopped() {
+  MainWindow& window = open();
+  MessageBanner& banner = window.centre().banner();
+  emit window.controller().loadingProgressed(0.1);  // nobody waits long enough to be told
+  QVERIFY(banner.text().isEmpty());
+  emit window.controller().loadingChanged(true);
+  QTRY_VERIFY_WITH_TIMEOUT(banner.isProgress(), patience);
+  emit window.controller().loadingProgressed(0.4);
+  QCOMPARE(banner.text(), QString("Opening … 40 %"));
+  QSignalSpy stopped(&banner, &MessageBanner::stopAsked);
+  auto* button = banner.findChild<QToolButton*>();
+  QVERIFY(button->isVisible());
+  QCOMPARE(button->toolTip(), QString("Stop this"));
+  button->click();
+  QCOMPARE(stopped.size(), 1);
+  QVERIFY(banner.isProgress());  // until the work has stopped
+  emit window.controller().loadingChanged(false);
+  QVERIFY(banner.text().isEmpty());
 }
 
 // A file that was cut out of a larger one keeps the larger one's count.

@@ -61,6 +61,7 @@ SessionController::SessionController(const Workspace& workspace, QObject* parent
             if (!visitAsked_) emit unread(asked, message);
           });
   connect(loader_, &SourceLoader::finished, this, [this] { emit loadingChanged(false); });
+  connect(loader_, &SourceLoader::progressed, this, &SessionController::loadingProgressed);
   connect(loader_, &SourceLoader::loaded, this,
           [this](const Document& loaded) { visitAsked_ ? arrive(loaded) : openRead(loaded); });
 }

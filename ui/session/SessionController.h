@@ -82,6 +82,7 @@ class SessionController : public QObject {
  signals:
   void changed(const umbra::Document& before, const umbra::Document& after);
   void loadingChanged(bool loading);
+  void loadingProgressed(double part);  // of what is being read, from 0 to 1
   // Says to people, in one line, what could not be done and why. What was open stays open.
   void failed(const QString& message);
   // The source of a workspace that was to be opened cannot be read; `failed` has said so.

@@ -3,20 +3,40 @@
 #include <QMetaObject>
 #include <exception>
 
+#include "filters/core/support/Error.h"
+
 namespace umbra {
 
 SourceLoader::SourceLoader(QObject* parent) : QObject(parent) {}
 
-// Events that a thread has posted to this object die with it.
+// Events that a thread has posted to this object die with it; a thread is asked to stop, and waited
+// for.
 SourceLoader::~SourceLoader() = default;
 
+void SourceLoader::stopAll() {
+  for (auto& [number, thread] : threads_) thread.request_stop();
+}
+
 void SourceLoader::load(const Workspace& workspace) {
+  stopAll();
   const int number = ++asked_;
-  threads_.emplace(number, [this, number, workspace] {
+  threads_.emplace(number, [this, number, workspace](const std::stop_token& stop) {
+    int told = -1;  // per cent
+    const Progress progress([this, number, stop, &told](double part) {
+      if (stop.stop_requested()) throw Error(ErrorKind::Cancelled, "given up");
+      if (int(100.0 * part) == told) return;
+      told = int(100.0 * part);
+      QMetaObject::invokeMethod(
+          this,
+          [this, number, part] {
+            if (number == asked_) emit progressed(part);
+          },
+          Qt::QueuedConnection);
+    });
     Document document{workspace, {}};
     QString error;
     try {
-      document.content = loadSource(workspace.shared.source);
+      document.content = loadSource(workspace.shared.source, progress);
     } catch (const std::exception& problem) {
       error = QString::fromUtf8(problem.what());
     }
@@ -27,6 +47,7 @@ void SourceLoader::load(const Workspace& workspace) {
 
 void SourceLoader::drop() {
   if (!busy()) return;
+  stopAll();
   reported_ = ++asked_;
   emit finished();
 }

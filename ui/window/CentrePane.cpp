@@ -77,8 +77,13 @@ CentrePane::CentrePane(SessionController& controller, SceneView& view, Prober& p
   connect(&controller_, &SessionController::loadingChanged, this, [this](bool loading) {
     if (loading) return opening_.start();
     opening_.stop();
-    if (banner_->text() == openingText()) banner_->dismiss();
+    if (banner_->isProgress()) banner_->dismiss();
   });
+  connect(&controller_, &SessionController::loadingProgressed, this, [this](double part) {
+    if (!opening_.isActive() && banner_->isProgress())
+      banner_->showProgress(tr("%1 %2 %").arg(openingText()).arg(int(100.0 * part)));
+  });
+  connect(banner_, &MessageBanner::stopAsked, &controller_, &SessionController::stopOpening);
   connect(comparison_, &ComparisonPanes::figuresChanged, this, &CentrePane::showReport);
   refresh();
   showNotices();

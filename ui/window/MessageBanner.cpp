@@ -17,21 +17,28 @@ MessageBanner::MessageBanner(QWidget* parent)
   label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   close_->setText(QChar(0x2715));
   close_->setAutoRaise(true);
-  close_->setToolTip(tr("Put this message away"));
   layout->addWidget(label_, 1);
   layout->addWidget(close_, 0, Qt::AlignTop);
-  connect(close_, &QToolButton::clicked, this, &MessageBanner::dismiss);
+  connect(close_, &QToolButton::clicked, this, [this] {
+    if (isProgress_)
+      emit stopAsked();
+    else
+      dismiss();
+  });
   hide();
 }
 
 void MessageBanner::showError(const QString& text) {
-  showText(text, style::error, true);
+  isProgress_ = false;
+  showText(text, style::error);
 }
 void MessageBanner::showNotice(const QString& text) {
-  showText(text, style::accent, true);
+  isProgress_ = false;
+  showText(text, style::accent);
 }
 void MessageBanner::showProgress(const QString& text) {
-  showText(text, style::accent, false);
+  isProgress_ = true;
+  showText(text, style::accent);
 }
 QString MessageBanner::text() const {
   return isHidden() ? QString() : label_->text();
@@ -42,12 +49,13 @@ void MessageBanner::dismiss() {
   hide();
 }
 
-void MessageBanner::showText(const QString& text, const QColor& edge, bool closable) {
+void MessageBanner::showText(const QString& text, const QColor& edge) {
   setStyleSheet(QString("umbra--MessageBanner { background: white; border: 1px solid %1; "
                         "border-left: 4px solid %2; border-radius: 4px; }")
                     .arg(style::border.name(), edge.name()));
   label_->setText(text);
-  close_->setVisible(closable);
+  close_->setToolTip(isProgress_ ? tr("Stop this") : tr("Put this message away"));
+  close_->setAccessibleName(close_->toolTip());
   show();
 }
 

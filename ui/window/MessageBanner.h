@@ -16,17 +16,23 @@ class MessageBanner : public QFrame {
 
   void showError(const QString& text);
   void showNotice(const QString& text);
-  void showProgress(const QString& text);  // goes away by `dismiss` alone
+  // Says that work goes on: the button asks to stop it, and the message goes away by `dismiss`.
+  void showProgress(const QString& text);
+  bool isProgress() const { return isProgress_ && !isHidden(); }
   QString text() const;
 
  public slots:
   void dismiss();
 
+ signals:
+  void stopAsked();
+
  private:
-  void showText(const QString& text, const QColor& edge, bool closable);
+  void showText(const QString& text, const QColor& edge);
 
   QLabel* label_;
   QToolButton* close_;
+  bool isProgress_ = false;
 };
 
 }  // namespace umbra

@@ -2,23 +2,13 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <map>
 #include <numeric>
-#include <tuple>
 #include <utility>
+
+#include "filters/core/scene/Weld.h"
 
 namespace umbra {
 namespace {
-
-// Finds for each position the first one that equals it.
-std::vector<std::uint32_t> weld(const std::vector<Eigen::Vector3f>& positions) {
-  std::map<std::tuple<float, float, float>, std::uint32_t> first;
-  std::vector<std::uint32_t> welded;
-  for (const Eigen::Vector3f& p : positions)
-    welded.push_back(
-        first.try_emplace({p.x(), p.y(), p.z()}, std::uint32_t(welded.size())).first->second);
-  return welded;
-}
 
 // The connected part that a corner belongs to, named by its representative. Paths are halved on the
 // way.
@@ -30,10 +20,11 @@ std::uint32_t partOf(std::vector<std::uint32_t>& parents, std::uint32_t corner) 
 }  // namespace
 
 std::vector<bool> closedTriangles(const Mesh& mesh) {
-  const std::vector<std::uint32_t> welded = weld(mesh.positions);
+  const std::vector<std::uint32_t> welded = firstOfEqual(mesh.positions);
   std::vector<std::uint32_t> parents(welded.size());
   std::iota(parents.begin(), parents.end(), 0u);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  edges.reserve(3 * mesh.triangles.size());
   for (const auto& triangle : mesh.triangles) {
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t from = welded[triangle[i]], to = welded[triangle[(i + 1) % 3]];

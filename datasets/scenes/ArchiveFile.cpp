@@ -1,4 +1,4 @@
-#include "datasets/meshes/ArchiveFile.h"
+#include "datasets/scenes/ArchiveFile.h"
 
 #include <archive.h>
 #include <archive_entry.h>
