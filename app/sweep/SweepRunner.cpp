@@ -1,0 +1,136 @@
+#include "app/sweep/SweepRunner.h"
+
+#include <cstdio>
+#include <utility>
+
+#include "analysis/errors/CompareMap.h"
+#include "analysis/errors/ErrorDecomposition.h"
+#include "analysis/probe/Probe.h"
+#include "app/frames/FrameDecomposition.h"
+#include "app/frames/SceneCompare.h"
+#include "app/frames/TechniqueSet.h"
+#include "app/output/Cancellation.h"
+#include "app/reports/Reports.h"
+#include "datasets/plans/SweepCell.h"
+#include "datasets/session/DepthReading.h"
+#include "filters/core/support/AtomicFile.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/technique/Composition.h"
+
+namespace umbra {
+namespace {
+
+// The row of one technique, with the number of samples.
+Json figuresToJson(const MetricsRow& row) {
+  const Json all = compareToJson({row});
+  Json figures{{"samples", all["samples"]}};
+  figures.update(all["techniques"][0]);
+  figures.erase("name");
+  return figures;
+}
+
+Json probeToJson(double visibility, double reference) {
+  return {{"visibility", visibility}, {"reference", reference}, {"error", visibility - reference}};
+}
+
+std::string pictureName(std::size_t cell) {
+  char name[40];
+  std::snprintf(name, sizeof name, "cell-%06zu.png", cell);
+  return name;
+}
+
+}  // namespace
+
+SweepRunner::SweepRunner(const SweepPlan& plan, std::string where, std::filesystem::path folder)
+    : plan_(plan), where_(std::move(where)), folder_(std::move(folder)) {}
+
+SweepRunner::~SweepRunner() = default;
+
+bool SweepRunner::asks(SweepMeasure measure) const {
+  return std::find(plan_.measures.begin(), plan_.measures.end(), measure) != plan_.measures.end();
+}
+
+Json SweepRunner::measured(std::size_t cell) {
+  throwIfCancelled();
+  const SceneOf sceneOf = [this](const SceneSource& source) { return scenes_.scene(source); };
+  const Session session = sessionOfCell(plan_, cell, catalogue_, sceneOf, where_);
+  Json row{{"cell", cell}, {"settings", Json::object()}, {"technique", session.technique}};
+  for (const auto& [setting, value] : plan_.cells[cell]) row["settings"][setting] = value;
+  const std::shared_ptr<Technique> technique = techniqueOf(session, catalogue_, session.technique);
+  const bool isMap = session.source.kind == SourceKind::DepthFile;
+  std::string reason = whyImpossible(session.frame, *technique);
+  if (reason.empty() && !isMap) reason = whyNoGpuFormat(session);
+  if (!reason.empty())
+    row["reason"] = reason;
+  else if (isMap)
+    measureMap(session, row);
+  else
+    measureScene(session, cell, row);
+  return row;
+}
+
+void SweepRunner::measureMap(const Session& session, Json& row) {
+  if (mapSource_ != session.source) {
+    map_.reset();
+    map_ = loadedDepth(session.source);
+    mapSource_ = session.source;
+  }
+  const DepthMap& map = map_->map;
+  const FrameSettings frame = readSettingsOf(session);
+  const std::shared_ptr<Technique> technique = techniqueOf(session, catalogue_, session.technique);
+  technique->adapt(map);
+  const std::shared_ptr<const Technique> adapted = technique;
+  if (asks(SweepMeasure::Compare)) {
+    const auto figures = figuresOnMap(map, std::span(&adapted, 1), frame.kernel, frame.map.format,
+                                      *session.receiver, throwIfCancelled);
+    row["compare"] =
+        figuresToJson({session.technique, figures[0].metrics, figures[0].reduction, {}, {}, {}});
+  }
+  if (!asks(SweepMeasure::Probe)) return;
+  const auto [x, y] = *session.probe;
+  if (x < 0 || y < 0 || x >= map.width() || y >= map.height()) {
+    row["reason"] = "the base's probe lies outside the map";
+    return;
+  }
+  ProbeRequest request{.map = map,
+                       .read = ReadPoint::atTexel(map, x, y),
+                       .kernel = frame.kernel,
+                       .format = frame.map.format,
+                       .receiver = *session.receiver};
+  request.techniques.push_back(adapted);
+  const Probe probe = takeProbe(request);
+  row["probe"] = probeToJson(probe.techniques[0].visibility, probe.reference);
+}
+
+void SweepRunner::measureScene(const Session& session, std::size_t cell, Json& row) {
+  const std::shared_ptr<const Scene> scene = scenes_.scene(session.source);
+  if (!display_) display_ = loadDisplay();
+  if (frame_)
+    frame_->show(scene, session);
+  else
+    frame_ = display_->makeFrame(scene, session);
+  const std::unique_ptr<Technique> technique = techniqueOf(session, catalogue_, session.technique);
+  frame_->render(*technique, ViewMode::Shaded);
+  if (asks(SweepMeasure::Picture)) {
+    const std::string name = pictureName(cell);
+    writeTextAtomically(folder_ / "pictures" / name, display_->pngOf(frame_->colour()));
+    row["picture"] = "pictures/" + name;
+  }
+  if (asks(SweepMeasure::Probe)) {
+    const auto [x, y] = *session.probe;
+    const std::optional<SurfacePoint> point = frame_->surfaceAt(x, y);
+    if (point && point->receivesShadow())
+      row["probe"] = probeToJson(point->visibility, frame_->reference()(x, y));
+    else
+      row["reason"] = "the base's probe meets no surface that receives shadow";
+  }
+  if (!asks(SweepMeasure::Compare) && !asks(SweepMeasure::Decomposition)) return;
+  std::optional<ErrorSums> parts;
+  if (asks(SweepMeasure::Decomposition)) parts = sumsOf(decomposeFrame(*frame_).parts);
+  throwIfCancelled();
+  MetricsRow figures = compareFrame(*frame_, *technique);
+  figures.decomposition = parts;
+  row["compare"] = figuresToJson(figures);
+}
+
+}  // namespace umbra

@@ -1,0 +1,46 @@
+// Measures the cells of a sweep, one after the other.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "app/display/DisplayLibrary.h"
+#include "app/options/SceneSources.h"
+#include "app/output/Output.h"
+#include "datasets/plans/SweepPlan.h"
+
+namespace umbra {
+
+class SweepRunner {
+ public:
+  // Messages about cells begin with `where`, the plan's file; pictures go into `folder`.
+  SweepRunner(const SweepPlan& plan, std::string where, std::filesystem::path folder);
+  ~SweepRunner();
+  SweepRunner(const SweepRunner&) = delete;
+  SweepRunner& operator=(const SweepRunner&) = delete;
+
+  // {"cell": 0, "settings": {…}, "technique": "vsm", "compare": {…}, "probe": {…},
+  //  "picture": "…"}; what was not asked for is absent. A cell whose settings cannot stand together
+  // has a "reason" instead. Scenes and maps are read once, and of a frame only what the last cell
+  // had otherwise is drawn. Throws what ends all cells: a file that cannot be read, no OpenGL,
+  // Cancelled.
+  Json measured(std::size_t cell);
+
+ private:
+  bool asks(SweepMeasure measure) const;
+  void measureMap(const Session& session, Json& row);
+  void measureScene(const Session& session, std::size_t cell, Json& row);
+
+  const SweepPlan& plan_;
+  const std::string where_;
+  const std::filesystem::path folder_;
+  const TechniqueCatalogue catalogue_ = allTechniques();
+  SceneLoader scenes_;
+  std::optional<SceneSource> mapSource_;  // of map_
+  std::optional<DepthFile> map_;
+  std::unique_ptr<Display> display_;
+  std::unique_ptr<HeadlessFrame> frame_;
+};
+
+}  // namespace umbra

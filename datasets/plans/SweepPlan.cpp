@@ -1,0 +1,170 @@
+#include "datasets/plans/SweepPlan.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <set>
+
+#include "datasets/json/JsonText.h"
+#include "datasets/plans/SweepAxes.h"
+#include "datasets/plans/SweepCell.h"
+#include "datasets/session/file/JsonObject.h"
+#include "datasets/session/file/SessionFile.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/support/InputFile.h"
+#include "filters/core/support/Text.h"
+
+namespace umbra {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+constexpr SweepMeasure allMeasures[] = {SweepMeasure::Compare, SweepMeasure::Decomposition,
+                                        SweepMeasure::Probe, SweepMeasure::Picture};
+
+SweepMeasure measureFrom(const Json& value, const std::string& where) {
+  std::vector<std::string> names;
+  for (SweepMeasure measure : allMeasures) {
+    if (value == std::string(nameOf(measure))) return measure;
+    names.emplace_back(nameOf(measure));
+  }
+  throw Error(ErrorKind::BadInput,
+              where + ": " + quoted(value) + " is not right, it takes " + joined(names));
+}
+
+// Whether somebody asks for a storage format.
+bool namesFormat(const SweepPlan& plan, const Json& base) {
+  return base.is_string() || base.value("/frame/format"_json_pointer, Json()).is_string() ||
+         std::find(plan.settings.begin(), plan.settings.end(), "map.format") != plan.settings.end();
+}
+
+Workspace baseFrom(const Json& value, const std::string& where, const fs::path& folder) {
+  if (value.is_string()) return readWorkspace(folder / value.get<std::string>());
+  if (!value.is_object())
+    throw Error(ErrorKind::BadInput,
+                where + ": " + quoted(value) + " should be a session, or the name of its file");
+  Json session = value;
+  if (!session.contains("format")) session["format"] = sessionFormat;
+  Workspace base = workspaceFrom(session, where);
+  SceneSource& source = base.shared.source;
+  if (source.kind != SourceKind::Catalogue)
+    source.name = (fs::absolute(folder) / source.name).lexically_normal().string();
+  return base;
+}
+
+// FNV-1a: tells plans and files apart, and is the same on every machine.
+class Fingerprint {
+ public:
+  void add(std::string_view text) {
+    for (const char c : text) hash_ = (hash_ ^ static_cast<unsigned char>(c)) * 1099511628211u;
+  }
+  void addFile(const fs::path& file) {
+    checkInput(file);
+    std::ifstream stream(file, std::ios::binary);
+    std::vector<char> block(std::size_t(1) << 20);
+    while (stream.read(block.data(), std::streamsize(block.size())), stream.gcount() > 0)
+      add({block.data(), std::size_t(stream.gcount())});
+  }
+  std::string text() const {
+    char buffer[20];
+    std::snprintf(buffer, sizeof buffer, "%016llx", static_cast<unsigned long long>(hash_));
+    return buffer;
+  }
+
+ private:
+  std::uint64_t hash_ = 14695981039346656037u;
+};
+
+// The files that cells are measured of: another content makes other cells.
+std::set<fs::path> filesOf(const std::vector<Session>& sessions) {
+  std::set<fs::path> files;
+  for (const Session& session : sessions)
+    if (session.source.kind != SourceKind::Catalogue) files.insert(session.source.name);
+  return files;
+}
+
+// A plan and its files may be moved together, so that paths do not count.
+std::string fingerprintOf(const SweepPlan& plan, const std::vector<Session>& sessions) {
+  Workspace base = plan.base;
+  if (base.shared.source.kind != SourceKind::Catalogue)
+    base.shared.source.name = fs::path(base.shared.source.name).filename().string();
+  Json whole{{"base", toJson(base)}, {"cells", plan.cells}, {"format", plan.namesFormat}};
+  for (SweepMeasure measure : plan.measures) whole["measures"].push_back(nameOf(measure));
+  Fingerprint fingerprint;
+  fingerprint.add(whole.dump());
+  for (const fs::path& file : filesOf(sessions)) fingerprint.addFile(file);
+  return fingerprint.text();
+}
+
+// Cells are checked before any is measured: a plan does not end at its last cell for a wrong name.
+std::vector<Session> checkedCells(const SweepPlan& plan, const std::string& where) {
+  std::vector<Session> sessions;
+  const TechniqueCatalogue catalogue = allTechniques();
+  const auto asks = [&](SweepMeasure measure) {
+    return std::find(plan.measures.begin(), plan.measures.end(), measure) != plan.measures.end();
+  };
+  for (std::size_t i = 0; i < plan.cells.size(); ++i) {
+    const Session session = sessionOfCell(plan, i, catalogue, {}, where);
+    const auto refuse = [&](const std::string& why) {
+      throw Error(ErrorKind::BadInput, where + ": cell " + std::to_string(i) + ": " + why);
+    };
+    if (asks(SweepMeasure::Probe) && !session.probe)
+      refuse("the measure 'probe' needs a 'probe' in the base");
+    sessions.push_back(session);
+    if (session.source.kind != SourceKind::DepthFile) continue;
+    if (!session.receiver) refuse("a depth map needs a 'receiver', in the base or on an axis");
+    for (SweepMeasure measure : {SweepMeasure::Decomposition, SweepMeasure::Picture})
+      if (asks(measure))
+        refuse("a depth map has no frame; '" + std::string(nameOf(measure)) +
+               "' goes with a scene");
+  }
+  return sessions;
+}
+
+}  // namespace
+
+std::string_view nameOf(SweepMeasure measure) {
+  switch (measure) {
+    case SweepMeasure::Compare:
+      return "compare";
+    case SweepMeasure::Decomposition:
+      return "decomposition";
+    case SweepMeasure::Probe:
+      return "probe";
+    case SweepMeasure::Picture:
+      break;
+  }
+  return "picture";
+}
+
+SweepPlan sweepPlanFrom(std::string_view text, std::string_view where, const fs::path& folder) {
+  const Json json = jsonFromText(text, where);
+  SweepPlan plan;
+  JsonObject object(json, std::string(where));
+  std::string format;
+  object.read("format", format);
+  if (format != sweepFormat)
+    throw Error(ErrorKind::BadInput, std::string(where) + ": format: '" + clipped(format) +
+                                         "' should be '" + sweepFormat + "'");
+  object.readValue("base", [&](const Json& value, const std::string& at) {
+    plan.base = baseFrom(value, at, folder);
+  });
+  readSweepAxes(object, plan);
+  object.readList("measures", [&](const Json& value, const std::string& at) {
+    plan.measures.push_back(measureFrom(value, at));
+  });
+  if (plan.measures.empty()) plan.measures = {SweepMeasure::Compare};
+  object.finish();
+  plan.folder = folder;
+  plan.namesFormat = namesFormat(plan, json.value("base", Json::object()));
+  plan.fingerprint = fingerprintOf(plan, checkedCells(plan, std::string(where)));
+  return plan;
+}
+
+SweepPlan readSweepPlan(const fs::path& file) {
+  return sweepPlanFrom(textOf(file), file.string(), fs::absolute(file).parent_path());
+}
+
+}  // namespace umbra
