@@ -109,6 +109,17 @@ void RenderCommand::renderPicture(const Workspace& workspace) const {
   display->writePictures(pictures, *output);
 }
 
+// A comparison of what was drawn, as many as there may be panes.
+Workspace besideEachOther(Workspace workspace, const std::vector<Drawing>& chosen) {
+  std::vector<std::string> techniques;
+  for (const Drawing& drawing : chosen)
+    if (techniques.size() < Comparison::most) techniques.emplace_back(drawing.technique->info().id);
+  workspace.shared.technique = techniques.front();
+  workspace.comparison.mode = ComparisonMode::Grid;
+  workspace.comparison.panes = linkedPanes(techniques);
+  return workspace;
+}
+
 void RenderCommand::renderLayers(const Workspace& workspace) const {
   const std::vector<Drawing> chosen = drawings(workspace);
   const Session session = sessionOf(workspace);
@@ -127,10 +138,12 @@ void RenderCommand::renderLayers(const Workspace& workspace) const {
       parts.push_back(partOf(drawing, *frame));
   }
   throwIfCancelled();
-  if (parts.empty())
-    layers.write(*output);
-  else
-    writeExr(*output, parts);
+  if (!parts.empty()) {
+    parts.front().attributes[workspaceAttribute] = sessionText(workspace);
+    return writeExr(*output, parts);
+  }
+  if (chosen.size() > 1) layers.setWorkspace(besideEachOther(workspace, chosen));
+  layers.write(*output);
 }
 
 }  // namespace

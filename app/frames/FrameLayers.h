@@ -7,6 +7,7 @@
 #include "app/frames/Drawings.h"
 #include "app/output/ChannelFile.h"
 #include "datasets/maps/ExrFile.h"
+#include "datasets/session/file/SessionInExr.h"
 
 namespace umbra {
 
@@ -19,6 +20,10 @@ class FrameLayers {
 
   // The frame as `technique` last rendered it.
   void add(const Technique& technique, HeadlessFrame& frame);
+  // What the file shows as a whole, where that is more than the session.
+  void setWorkspace(const Workspace& workspace) {
+    file_.note(workspaceAttribute, sessionText(workspace));
+  }
   void write(const std::filesystem::path& file) const { file_.write(file); }
 
  private:

@@ -71,8 +71,11 @@ void SessionOptions::addInput(OptionParser& command) {
                "What becomes of values that are no depths: an error, the nearest bound, or VALUE. "
                "A VALUE beyond the range, or the near bound, is what texels hold that saw nothing; "
                "these become the far bound (default error)"});
-  command.add("--session", session_,
-              {group, "FILE.json", "Start from a saved session; options override it"});
+  command.add(
+      "--session", session_,
+      {group, "FILE",
+       "Start from a saved session (.json), or from that of an .exr that `render` or `encode` "
+       "wrote; options override it"});
 }
 
 void SessionOptions::addTechnique(OptionParser& command) {
@@ -115,7 +118,7 @@ bool SessionOptions::namesFormat() const {
 
 Workspace SessionOptions::workspace(const TechniqueCatalogue& catalogue) const {
   Workspace start;
-  if (session_) refuseEmpty(*session_, "--session", "FILE.json");
+  if (session_) refuseEmpty(*session_, "--session", "FILE");
   if (session_) start = readWorkspace(*session_);
   return over(std::move(start), catalogue);
 }

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "datasets/session/SessionSettings.h"
-#include "datasets/session/file/SessionFile.h"
+#include "datasets/session/file/SessionInExr.h"
 
 namespace umbra {
 namespace {
@@ -20,7 +20,7 @@ void addAll(ChannelFile& file, const Technique& technique, const Image<T>& chann
 
 ChannelFile::ChannelFile(const Session& session)
     : attributes_{{"umbrascope.version", UMBRA_VERSION},
-                  {"umbrascope.session", toJson(Workspace{session}).dump()}} {
+                  {sessionAttribute, sessionText(Workspace{session})}} {
   Session copy = session;
   for (const Setting& setting : settingsOf(copy)) {
     const bool isLight = setting.info.name.starts_with("light.");

@@ -11,6 +11,7 @@
 #include "datasets/scenes/SceneCatalogue.h"
 #include "datasets/session/DepthReading.h"
 #include "datasets/session/file/SessionFile.h"
+#include "datasets/session/file/SessionInExr.h"
 #include "filters/core/support/Error.h"
 #include "filters/core/support/Text.h"
 
@@ -24,6 +25,11 @@ bool isScene(const std::string& name) {
   for (const SceneInfo& info : sceneCatalogue())
     if (info.name == name) return true;
   return false;
+}
+
+// Such a file brings back what it was made of; with a channel's name it is a depth map.
+bool isSessionExr(const fs::path& file) {
+  return rasterReaderOf(file) == readExr && sessionInExr(file).has_value();
 }
 
 }  // namespace
@@ -73,7 +79,7 @@ Workspace OpenWindow::opened() const {
   const auto [file, channel] = splitDepthArgument(*argument_);
   if (isScene(*argument_)) {
     source.name = *argument_;
-  } else if (file.extension() == ".json") {
+  } else if (file.extension() == ".json" || (channel.empty() && isSessionExr(file))) {
     workspace = readWorkspace(file);
   } else if (rasterReaderOf(file)) {
     source = {};

@@ -115,6 +115,17 @@ TEST_F(Encode, ASessionInTheFileMakesTheSameFileAgain) {
   EXPECT_EQ(contentOf(out), first);
 }
 
+// The file is a session: what it was made of comes back, wherever the program is called from.
+TEST_F(Encode, TheFileItselfIsASession) {
+  encode({"--technique", "esm", "--kernel", "gaussian", "--radius", "4"});
+  const std::string first = contentOf(out), again = folder.file("again.exr");
+  EXPECT_EQ(run({"encode", "--session", out, "-o", again}).status, 0);
+  EXPECT_EQ(contentOf(again), first);
+  const Outcome none = run({"encode", "--session", map, "-o", again});
+  EXPECT_EQ(none.status, 3);
+  EXPECT_NE(none.err.find("m.exr: holds no session"), std::string::npos) << none.err;
+}
+
 TEST_F(Encode, OverwritesWhole) {
   encode({"--technique", "vsm"});
   const std::string first = contentOf(out);

@@ -265,6 +265,25 @@ TEST(SceneRender, LayersHoldTheErrorOfEachTechnique) {
   EXPECT_GT(shaded, 100);
 }
 
+// Every technique of the picture comes back, not one.
+TEST(SceneRender, LayersAreASessionOfAllThatWasDrawn) {
+  const TemporaryFolder folder;
+  const std::string layers = folder.file("l.exr"), picture = folder.file("p.png"),
+                    other = folder.file("q.png");
+  const Arguments view{"--scene",    "two-planes", "--size",      "96x64",
+                       "--map-size", "64",         "--technique", "pcf,vsm,esm"};
+  const auto render = [](Arguments arguments, const Arguments& more) {
+    arguments.insert(arguments.begin(), "render");
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+  };
+  render(view, {"-o", layers});
+  render(view, {"-o", picture});
+  render({"--session", layers}, {"-o", other});
+  EXPECT_EQ(contentOf(other), contentOf(picture));
+}
+
 TEST(Tour, WritesPicturePlotsAndFigures) {
   const TemporaryFolder folder;
   const Outcome outcome = run(with({"tour", "-o", folder.file("out")}, small));

@@ -4,11 +4,13 @@
 #include <nlohmann/json.hpp>
 
 #include "datasets/json/JsonText.h"
+#include "datasets/maps/Raster.h"
 #include "datasets/session/file/JsonObject.h"
 #include "datasets/session/file/SessionFileCompare.h"
 #include "datasets/session/file/SessionFileParameters.h"
 #include "datasets/session/file/SessionFileProbes.h"
 #include "datasets/session/file/SessionFileSettings.h"
+#include "datasets/session/file/SessionInExr.h"
 #include "filters/core/support/AtomicFile.h"
 #include "filters/core/support/Error.h"
 
@@ -40,6 +42,16 @@ Json sourceJson(const SceneSource& source) {
   Json json{{"scene", source.name}};
   if (!source.parameters.empty()) json["parameters"] = source.parameters;
   return json;
+}
+
+// The file itself, or what an OpenEXR file of this program holds.
+std::string sessionTextOf(const std::filesystem::path& file) {
+  if (rasterReaderOf(file) != readExr) return textOf(file);
+  const std::optional<std::string> text = sessionInExr(file);
+  if (!text)
+    throw Error(ErrorKind::BadInput,
+                file.string() + ": holds no session; files that `render` and `encode` write do");
+  return *text;
 }
 
 double numberAt(const Json& value, const std::string& where) {
@@ -178,7 +190,7 @@ Workspace workspaceFromText(std::string_view text, std::string_view where) {
 }
 
 Workspace readWorkspace(const std::filesystem::path& file) {
-  Workspace workspace = workspaceFromText(textOf(file), file.string());
+  Workspace workspace = workspaceFromText(sessionTextOf(file), file.string());
   SceneSource& source = workspace.shared.source;
   if (source.kind != SourceKind::Catalogue)
     source.name =

@@ -54,7 +54,8 @@ Workspace workspaceFrom(const nlohmann::ordered_json& json, std::string_view whe
 std::string toText(const Workspace& workspace);  // indented
 Workspace workspaceFromText(std::string_view text, std::string_view where);
 
-// Paths of meshes and depth maps in the file are relative to its folder.
+// Reads JSON, or the session in an OpenEXR file that this program wrote. Paths of meshes and depth
+// maps in the file are relative to its folder.
 Workspace readWorkspace(const std::filesystem::path& file);
 void writeWorkspace(const Workspace& workspace, const std::filesystem::path& file);
 

@@ -6,6 +6,7 @@
 #include "datasets/maps/DepthFile.h"
 #include "datasets/maps/Raster.h"
 #include "datasets/session/file/SessionFile.h"
+#include "datasets/session/file/SessionInExr.h"
 #include "filters/core/support/AtomicFile.h"
 #include "filters/core/support/Error.h"
 #include "ui/panes/ComparisonPanes.h"
@@ -49,6 +50,9 @@ void FileActions::open(const fs::path& file) {
       return;
     }
     const auto [path, channel] = splitDepthArgument(file.string());
+    // What this program wrote brings back what it was made of; with a channel it is a depth map.
+    if (channel.empty() && rasterReaderOf(path) == readExr && sessionInExr(path))
+      return controller_.open(readWorkspace(path));
     SceneSource source;
     source.kind = rasterReaderOf(path) ? SourceKind::DepthFile : SourceKind::MeshFile;
     source.name = fs::absolute(path).string();
