@@ -20,6 +20,7 @@ Command addProbe(OptionParser& program);
 Command addEncode(OptionParser& program);
 Command addSplits(OptionParser& program);
 Command addCompare(OptionParser& program);
+Command addBench(OptionParser& program);
 Command addTour(OptionParser& program);
 Command addScenes(OptionParser& program);
 Command addTechniques(OptionParser& program);
