@@ -21,6 +21,7 @@ Command addEncode(OptionParser& program);
 Command addSplits(OptionParser& program);
 Command addCompare(OptionParser& program);
 Command addSweep(OptionParser& program);
+Command addBench(OptionParser& program);
 Command addTour(OptionParser& program);
 Command addScenes(OptionParser& program);
 Command addTechniques(OptionParser& program);

@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "analysis/errors/CompareMap.h"
+#include "analysis/plots/CostPlots.h"
 #include "app/commands/Commands.h"
 #include "app/display/DisplayLibrary.h"
 #include "app/frames/Drawings.h"
@@ -14,6 +15,7 @@
 #include "app/options/SceneSources.h"
 #include "app/options/SessionOptions.h"
 #include "app/output/Cancellation.h"
+#include "app/output/PlotFiles.h"
 #include "app/reports/CompareFiles.h"
 #include "app/reports/Reports.h"
 #include "datasets/session/DepthReading.h"
@@ -45,10 +47,12 @@ CompareCommand::CompareCommand(OptionParser& command) {
       {group, "Z",
        "Of a depth map: a receiver plane at this linear depth, 0 to 1, or a distance such as 6w, "
        "or a value of the file such as 0.97f"});
-  command.add("-o,--output", folder,
-              {group, "DIR",
-               "Write compare.json, compare.csv and, of a scene, each technique's error picture; "
-               "with --decompose the parts as decomposition-TECHNIQUE.exr"});
+  command.add(
+      "-o,--output", folder,
+      {group, "DIR",
+       "Write compare.json, compare.csv and, of a scene, each technique's error picture and "
+       "error-against-cost as PNG, SVG, PDF and CSV; "
+       "with --decompose the parts as decomposition-TECHNIQUE.exr"});
   command.addFlag(
       "--decompose", decompose,
       {group, "",
@@ -224,12 +228,21 @@ void CompareCommand::compareScene(const Workspace& workspace) const {
     if (onMesh) row.surfaces = onMesh->summary;
     row.pane = drawing.pane;
     row.differences = drawing.differences;
+    row.cost = frame->cost(technique);
   }
   throwIfCancelled();
   const std::string_view truth = rays ? "raytraced" : "pcf";
   if (json) return printJson(compareToJson(rows, truth));
   if (!files) return print(compareText(rows));
   writeCompare(*files, compareToJson(rows, truth));
+  if (rows.size() > 1) {  // one alone is beside nothing
+    std::vector<CostPoint> points;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      points.push_back({nameOf(rows[i]), std::string(chosen[i].technique->info().colour),
+                        rows[i].cost->bakeMs + rows[i].cost->shadeMs, rows[i].metrics.rmse});
+    const Plot plots[] = {errorAgainstCostPlot(points)};
+    writePlots(*files, *display, plots);
+  }
   files->finish();
 }
 

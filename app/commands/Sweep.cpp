@@ -42,7 +42,7 @@ SweepCommand::SweepCommand(OptionParser& command) {
       "            \"when\": {\"technique\": \"vsm\"}}],\n"
       "  \"combine\": \"product\", \"measures\": [\"compare\"]}\n"
       "An axis sets technique, scene, mesh, depth, receiver, a setting (see `settings`) or\n"
-      "TECHNIQUE.PARAMETER. Measures: compare, decomposition, probe (the base's), picture.\n"
+      "TECHNIQUE.PARAMETER. Measures: compare, decomposition, probe (the base's), cost, picture.\n"
       "\"zip\" in an axis steps several together; \"skip\" leaves cells out.\n"
       "What is measured is kept at once: a run that was ended goes on where it was.");
 }

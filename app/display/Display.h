@@ -8,10 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "analysis/cost/TechniqueCost.h"
 #include "analysis/plots/Plot.h"
 #include "datasets/session/Workspace.h"
 #include "filters/core/scene/FieldMesh.h"
 #include "filters/gpu/ShadowRenderer.h"
+#include "filters/gpu/bench/BenchView.h"
 
 namespace umbra {
 
@@ -36,6 +38,30 @@ class HeadlessFrame {
   // The pixel where light bleeds most plainly, which the window goes to as well. Nothing where no
   // spot of the picture bleeds so that anybody sees it.
   virtual std::optional<Pixel> plainestBleeding() = 0;
+  // What the shown scene costs with this technique: medians of a few more frames, on the clock that
+  // fits the renderer. These replace the last frame.
+  virtual TechniqueCost cost(const Technique& technique) = 0;
+};
+
+// Frames of one scene that are drawn to be measured.
+class BenchFrames {
+ public:
+  virtual ~BenchFrames() = default;
+
+  virtual std::string renderer() = 0;  // OpenGL's name for it
+  virtual CostClock clock() const = 0;
+
+  // Frames from now on have these settings. Draws one that counts nowhere: it compiles shaders and
+  // gives textures their sizes.
+  virtual void show(const FrameSettings& settings, const Technique& technique) = 0;
+  // The milliseconds of one frame after a motion.
+  virtual double draw(Motion motion) = 0;
+  // The passes of one frame after the light has moved, each waited for on the processor's clock.
+  virtual std::vector<PassTime> drawPasses() = 0;
+  virtual double drawBaseline(Baseline baseline, Motion motion) = 0;
+
+  // The bytes per texel of the shadow map in all textures that these settings take.
+  virtual double bytesUsed(const FrameSettings& settings, const Technique& technique) = 0;
 };
 
 // A picture with a name, for sheets of several.
@@ -54,6 +80,11 @@ class Display {
   // A new context that shows `scene` as the session sees it. Throws NoOpenGL.
   virtual std::unique_ptr<HeadlessFrame> makeFrame(std::shared_ptr<const Scene> scene,
                                                    const Session& session) = 0;
+
+  // Contexts in which `view` is drawn, and VTK's own shadow map of `mapSize` texels a side. Without
+  // a clock, the one that fits the renderer. Throws NoOpenGL.
+  virtual std::unique_ptr<BenchFrames> makeBench(const BenchView& view, int mapSize,
+                                                 std::optional<CostClock> clock) = 0;
 
   // The file is .svg, .pdf or .png. Throws BadOutput.
   virtual void writePlot(const Plot& plot, const std::filesystem::path& file) = 0;

@@ -7,6 +7,7 @@
 
 #include "app/display/Display.h"
 #include "app/display/PictureFile.h"
+#include "app/display/RendererBench.h"
 #include "app/display/RendererFrame.h"
 #include "app/display/VtkMessages.h"
 #include "filters/gpu/VtpFile.h"
@@ -24,11 +25,14 @@ class QtVtkDisplay final : public Display {
 
   std::unique_ptr<HeadlessFrame> makeFrame(std::shared_ptr<const Scene> scene,
                                            const Session& session) override {
-    if (!messages_) {
-      messages_ = vtkSmartPointer<VtkMessages>::New();
-      vtkOutputWindow::SetInstance(messages_);
-    }
+    listen();
     return std::make_unique<RendererFrame>(std::move(scene), session, messages_);
+  }
+
+  std::unique_ptr<BenchFrames> makeBench(const BenchView& view, int mapSize,
+                                         std::optional<CostClock> clock) override {
+    listen();
+    return std::make_unique<RendererBench>(view, mapSize, clock, messages_);
   }
 
   void writePlot(const Plot& plot, const std::filesystem::path& file) override {
@@ -54,6 +58,12 @@ class QtVtkDisplay final : public Display {
   }
 
  private:
+  void listen() {
+    if (messages_) return;
+    messages_ = vtkSmartPointer<VtkMessages>::New();
+    vtkOutputWindow::SetInstance(messages_);
+  }
+
   // Text needs an application; without a display it is one that draws off screen.
   void startQt() {
     if (QCoreApplication::instance()) return;

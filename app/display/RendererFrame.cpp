@@ -6,6 +6,7 @@
 
 #include "analysis/errors/WorstPixel.h"
 #include "filters/gpu/HeadlessWindow.h"
+#include "filters/gpu/bench/FrameCosts.h"
 
 namespace umbra {
 
@@ -73,6 +74,17 @@ std::optional<Pixel> RendererFrame::plainestBleeding() {
   const auto worst = worstBleeding(points, reference());
   if (!worst) return std::nullopt;
   return Pixel{worst->x, worst->y};
+}
+
+TechniqueCost RendererFrame::cost(const Technique& technique) {
+  window_->MakeCurrent();
+  settings_.view = ViewMode::Shaded;
+  renderer_.setFrame(settings_);
+  renderer_.setTechnique(technique);
+  const FrameCosts cost = costOfFrames(renderer_);
+  messages_->throwFirstError();
+  return {cost.bakeMs, cost.shadeMs, bytesStoredPerTexel(technique, settings_.map.format),
+          bytesUsedPerTexel(settings_, technique)};
 }
 
 }  // namespace umbra

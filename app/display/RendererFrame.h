@@ -25,6 +25,7 @@ class RendererFrame final : public HeadlessFrame {
   const DepthMap& depthMap(int cascade = 0) override;
   Image<float> channels(BakeStage stage) override;
   std::optional<Pixel> plainestBleeding() override;
+  TechniqueCost cost(const Technique& technique) override;
 
  private:
   // The result of a read-back, unless VTK reported an error meanwhile.

@@ -3,7 +3,6 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "app/frames/TechniqueSet.h"
@@ -20,20 +19,6 @@ namespace {
 std::string labelOf(const Technique& technique, const std::string& differences) {
   const std::string title(technique.info().title);
   return differences.empty() ? title : title + " · " + differences;
-}
-
-// All that a pane may have of its own, by name.
-std::map<std::string, Json> valuesOf(const Drawing& drawing) {
-  std::map<std::string, Json> values;
-  FrameSettings frame = drawing.session.frame;
-  for (const Setting& setting : settingsOf(frame))
-    if (setting.info.pane)
-      values[std::string(setting.info.name)] = toJson(setting.info, setting.get());
-  const Technique& technique = *drawing.technique;
-  for (const ParameterView& parameter : technique.parameters())
-    values[std::string(technique.info().id) + "." + std::string(parameter.name)] =
-        toJson(parameter.get());
-  return values;
 }
 
 void addDifferences(std::vector<Drawing>& drawings) {
@@ -77,6 +62,19 @@ std::vector<Drawing> unnamedPanes(const Workspace& workspace, const TechniqueCat
 }
 
 }  // namespace
+
+std::map<std::string, Json> valuesOf(const Drawing& drawing) {
+  std::map<std::string, Json> values;
+  FrameSettings frame = drawing.session.frame;
+  for (const Setting& setting : settingsOf(frame))
+    if (setting.info.pane)
+      values[std::string(setting.info.name)] = toJson(setting.info, setting.get());
+  const Technique& technique = *drawing.technique;
+  for (const ParameterView& parameter : technique.parameters())
+    values[std::string(technique.info().id) + "." + std::string(parameter.name)] =
+        toJson(parameter.get());
+  return values;
+}
 
 std::vector<Drawing> drawingsOf(const Session& session,
                                 const std::vector<std::shared_ptr<Technique>>& techniques) {

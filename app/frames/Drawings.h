@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -26,6 +27,9 @@ struct Drawing {
   // `umbrascope settings` and as TECHNIQUE.PARAMETER.
   Json differences = Json::object();
 };
+
+// Every setting and parameter that a pane may have of its own, by name.
+std::map<std::string, Json> valuesOf(const Drawing& drawing);
 
 // One for each technique.
 std::vector<Drawing> drawingsOf(const Session& session,

@@ -39,11 +39,16 @@ void writeCompare(OutputFolder& folder, const Json& object) {
   std::string csv;
   for (const Json& row : object["techniques"]) {
     std::string heading, line;
-    for (const auto& [name, value] : row.items()) {
-      if (value.is_object()) continue;  // not every technique has a smallest reduction
+    const auto add = [&](const std::string& name, const Json& value) {
       const std::string comma = line.empty() ? "" : ",";
       heading += comma + name;
       line += comma + (value.is_string() ? value.get<std::string>() : value.dump());
+    };
+    for (const auto& [name, value] : row.items()) {
+      if (name == "cost")
+        for (const auto& [part, figure] : value.items()) add(part, figure);
+      else if (!value.is_object())  // not every technique has a smallest reduction
+        add(name, value);
     }
     if (csv.empty()) csv = heading + "\n";
     csv += line + "\n";
@@ -55,15 +60,27 @@ void writeCompare(OutputFolder& folder, const Json& object) {
 std::string compareText(const std::vector<MetricsRow>& rows) {
   std::vector<TableRow> table{
       {"TECHNIQUE", "RMSE", "MAE", "BLEEDING", "DARKENING", "MAX", "MIN", "UMBRA BLEEDING"}};
+  const bool drawn = !rows.empty() && rows.front().cost;
+  if (drawn)
+    table.front().insert(table.front().end(),
+                         {"BAKE MS", "SHADE MS", "BYTES STORED", "BYTES USED"});
   for (const MetricsRow& row : rows) {
     const Metrics& m = row.metrics;
     table.push_back({nameOf(row), shortNumber(m.rmse), shortNumber(m.mae), shortNumber(m.bleeding),
                      shortNumber(m.darkening), shortNumber(m.max), shortNumber(m.min),
                      shortNumber(m.umbraBleeding)});
+    if (row.cost)
+      for (double figure :
+           {row.cost->bakeMs, row.cost->shadeMs, row.cost->bytesStored, row.cost->bytesUsed})
+        table.back().push_back(shortNumber(figure));
   }
   const std::size_t samples = rows.empty() ? 0 : rows.front().metrics.samples;
   return tableText(table) + decompositionText(rows) + surfacesText(rows) + "\n" +
-         std::to_string(samples) + " samples\n";
+         std::to_string(samples) + " samples\n" +
+         (drawn ? "Bytes are per texel of the shadow map: stored by the method, and used in all "
+                  "textures of the\nprogram. Milliseconds are medians of three frames or fewer; "
+                  "`bench` measures them with their spread.\n"
+                : "");
 }
 
 }  // namespace umbra

@@ -10,7 +10,7 @@
 namespace umbra {
 
 // compare.json, which is `object` of compareToJson, and compare.csv: one row per technique, the
-// numbers of the JSON; nested ones are in the JSON alone.
+// numbers of the JSON with those of its cost; other nested ones are in the JSON alone.
 void writeCompare(OutputFolder& folder, const Json& object);
 
 // For people.

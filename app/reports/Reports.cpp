@@ -168,8 +168,8 @@ std::string rowName(std::string_view technique, std::size_t pane, const Json& di
 
 Json compareToJson(const std::vector<MetricsRow>& rows, std::string_view reference) {
   Json techniques = Json::array();
-  for (const auto& [id, metrics, reduction, decomposition, surfaces, mapError, pane, differences] :
-       rows) {
+  for (const auto& [id, metrics, reduction, decomposition, surfaces, mapError, pane, differences,
+                    cost] : rows) {
     Json row = {{"name", id},
                 {"rmse", metrics.rmse},
                 {"mae", metrics.mae},
@@ -185,6 +185,11 @@ Json compareToJson(const std::vector<MetricsRow>& rows, std::string_view referen
                                   {"removesAll", reduction->removesAll}};
     if (decomposition) row["decomposition"] = decompositionToJson(*decomposition, mapError);
     if (surfaces) row["surfaces"] = surfacesToJson(*surfaces);
+    if (cost)
+      row["cost"] = {{"bakeMs", cost->bakeMs},
+                     {"shadeMs", cost->shadeMs},
+                     {"bytesStored", cost->bytesStored},
+                     {"bytesUsed", cost->bytesUsed}};
     if (pane > 0) {
       row["pane"] = pane;
       row["settings"] = differences;

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/cost/TechniqueCost.h"
 #include "analysis/errors/BleedReduction.h"
 #include "analysis/errors/ErrorDecomposition.h"
 #include "analysis/errors/Metrics.h"
@@ -68,6 +69,7 @@ struct MetricsRow {
   std::optional<double> mapError;
   std::size_t pane = 0;               // of a session that compares, from 1; 0 is no pane
   Json differences = Json::object();  // a pane's settings that differ from another's
+  std::optional<TechniqueCost> cost;  // where a frame was drawn
 };
 // How tables for people name a technique's row: "vsm", or of a pane, which counts from 1, "vsm,
 // pane 2: kernel.radius 12".
@@ -79,8 +81,9 @@ inline std::string nameOf(const MetricsRow& row) {
 // "umbrascope-compare/1". The darkening of a smallest reduction is a mean, as that of the metrics.
 // The parts of a decomposition are means over all samples and add up to its "error"; against rays
 // "map" is one of them.
-// A pane's row has its number as "pane" and what differs from other panes as "settings".
-// "reference" names the truth: "pcf" or "raytraced".
+// "cost" has the milliseconds of bake and shade, and the bytes per texel of the map, stored by the
+// method and used by the program. A pane's row has its number as "pane" and what differs from other
+// panes as "settings". "reference" names the truth: "pcf" or "raytraced".
 Json compareToJson(const std::vector<MetricsRow>& rows, std::string_view reference = "pcf");
 
 // The entry of one technique or scene in its catalogue.

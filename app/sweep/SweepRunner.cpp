@@ -124,6 +124,12 @@ void SweepRunner::measureScene(const Session& session, std::size_t cell, Json& r
     else
       row["reason"] = "the base's probe meets no surface that receives shadow";
   }
+  if (asks(SweepMeasure::Cost)) {
+    MetricsRow costs{session.technique, {}, {}, {}, {}, {}};
+    costs.cost = frame_->cost(*technique);
+    row["cost"] = compareToJson({costs})["techniques"][0]["cost"];
+    frame_->render(*technique, ViewMode::Shaded);
+  }
   if (!asks(SweepMeasure::Compare) && !asks(SweepMeasure::Decomposition)) return;
   std::optional<ErrorSums> parts;
   if (asks(SweepMeasure::Decomposition)) parts = sumsOf(decomposeFrame(*frame_).parts);

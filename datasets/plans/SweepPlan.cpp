@@ -22,7 +22,8 @@ using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr SweepMeasure allMeasures[] = {SweepMeasure::Compare, SweepMeasure::Decomposition,
-                                        SweepMeasure::Probe, SweepMeasure::Picture};
+                                        SweepMeasure::Probe, SweepMeasure::Cost,
+                                        SweepMeasure::Picture};
 
 SweepMeasure measureFrom(const Json& value, const std::string& where) {
   std::vector<std::string> names;
@@ -115,7 +116,8 @@ std::vector<Session> checkedCells(const SweepPlan& plan, const std::string& wher
     sessions.push_back(session);
     if (session.source.kind != SourceKind::DepthFile) continue;
     if (!session.receiver) refuse("a depth map needs a 'receiver', in the base or on an axis");
-    for (SweepMeasure measure : {SweepMeasure::Decomposition, SweepMeasure::Picture})
+    for (SweepMeasure measure :
+         {SweepMeasure::Decomposition, SweepMeasure::Cost, SweepMeasure::Picture})
       if (asks(measure))
         refuse("a depth map has no frame; '" + std::string(nameOf(measure)) +
                "' goes with a scene");
@@ -133,6 +135,8 @@ std::string_view nameOf(SweepMeasure measure) {
       return "decomposition";
     case SweepMeasure::Probe:
       return "probe";
+    case SweepMeasure::Cost:
+      return "cost";
     case SweepMeasure::Picture:
       break;
   }

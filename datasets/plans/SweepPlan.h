@@ -9,7 +9,7 @@
 //                    {"setting": "kernel.radius", "values": [2, 4]}]}]  stepped together
 //  "combine": "product" | "zip",
 //  "skip": [{"technique": "esm", "kernel.radius": [7, 9]}],            cells that match all of one
-//  "measures": ["compare", "decomposition", "probe", "picture"]}
+//  "measures": ["compare", "decomposition", "probe", "cost", "picture"]}
 //
 // An axis names "technique", "scene", "mesh", "depth", "receiver", a setting of the table or
 // TECHNIQUE.PARAMETER. One with "when" is left out of cells that do not match it.
@@ -30,7 +30,7 @@ inline constexpr const char* sweepFormat = "umbrascope-sweep/1";
 // More are a mistake: at a tenth of a second each they take a day.
 inline constexpr std::size_t mostCells = 1'000'000;
 
-enum class SweepMeasure { Compare, Decomposition, Probe, Picture };
+enum class SweepMeasure { Compare, Decomposition, Probe, Cost, Picture };
 std::string_view nameOf(SweepMeasure measure);
 
 using SweepValue = nlohmann::ordered_json;

@@ -38,18 +38,7 @@ constexpr GLenum textureFormat(StorageFormat format, std::size_t channels) {
 // The bytes of one texel of such textures, in all their layers.
 std::size_t texelBytes(StorageFormat format, std::size_t channels) {
   const std::size_t stored = channels <= 2 ? channels : 4 * std::size_t(layersFor(int(channels)));
-  switch (format) {
-    case StorageFormat::Unorm8:
-      return stored;
-    case StorageFormat::Unorm16:
-    case StorageFormat::Half:
-      return 2 * stored;
-    case StorageFormat::Float:
-      return 4 * stored;
-    case StorageFormat::Double:
-      break;
-  }
-  return 0;  // no texture holds doubles; see textureFormat
+  return stored * std::size_t(bytesOf(format));
 }
 
 GLuint groups(int items, int groupSize) {

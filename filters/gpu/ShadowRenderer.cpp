@@ -272,6 +272,14 @@ Image<float> ShadowRenderer::channels(BakeStage stage, int cascade) {
   return implementation_->pass->GetBaker().read(stage, cascade);
 }
 
+void ShadowRenderer::setPassClock(PassClock clock) {
+  implementation_->pass->SetPassClock(clock);
+}
+
+void ShadowRenderer::forgetBake() {
+  implementation_->pass->ForgetBake();
+}
+
 std::vector<PassTime> ShadowRenderer::passTimes() const {
   implementation_->window.MakeCurrent();
   std::vector<PassTime> times;

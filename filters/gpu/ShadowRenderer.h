@@ -20,13 +20,14 @@
 #include "filters/gpu/BakeStage.h"
 #include "filters/gpu/Baked.h"
 #include "filters/gpu/SplitPace.h"
+#include "filters/gpu/gl/PassClock.h"
 
 class vtkRenderer;
 class vtkRenderWindow;
 
 namespace umbra {
 
-// The GPU time of one pass of the last frame; passes that had nothing to do are absent.
+// The time of one pass of the last frame; passes that had nothing to do are absent.
 struct PassTime {
   std::string pass;  // "depth", "splits", "encode", "prefilter", "levels", "sums", "shade",
                      // "view"
@@ -93,7 +94,11 @@ class ShadowRenderer {
   // The technique's channels of one cascade, interleaved in the technique's order.
   Image<float> channels(BakeStage stage, int cascade = 0);
 
+  // On which clock passes are timed. The default is Gpu.
+  void setPassClock(PassClock clock);
   std::vector<PassTime> passTimes() const;
+  // The next frame bakes everything anew, although nothing has changed.
+  void forgetBake();
 
  private:
   class Implementation;

@@ -63,6 +63,8 @@ class vtkUmbraFramePass : public vtkRenderPass {
   // As the last frame left it.
   const Baked& GetBaked() const { return this->Made; }
   const gl::PassTimer& GetTimer() const { return this->Timer; }
+  void SetPassClock(PassClock clock) { this->Timer.setClock(clock); }
+  void ForgetBake() { this->MakeStale(Stage::Depth); }
   const LightFrame& GetLightFrame() const { return this->Frame; }
   // Whether a frame was drawn whose maps and pictures still exist.
   bool HasFrame() const { return this->FrameDrawn; }

@@ -148,8 +148,11 @@ TEST(SceneCompare, WritesAFolder) {
       {"compare", "--scene", "two-planes", "--technique", "vsm,hard", "-o", folder.file("out")},
       small));
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(folder.names(), (std::vector<std::string>{"out", "out/compare.csv", "out/compare.json",
-                                                      "out/error-hard.png", "out/error-vsm.png"}));
+  EXPECT_EQ(folder.names(),
+            (std::vector<std::string>{"out", "out/compare.csv", "out/compare.json",
+                                      "out/error-against-cost.csv", "out/error-against-cost.pdf",
+                                      "out/error-against-cost.png", "out/error-against-cost.svg",
+                                      "out/error-hard.png", "out/error-vsm.png"}));
   for (const char* name : {"compare.csv", "compare.json", "error-vsm.png"})
     EXPECT_NE(outcome.err.find(folder.file("out/") + name), std::string::npos) << outcome.err;
   EXPECT_TRUE(contentOf(folder.file("out/compare.csv")).starts_with("name,rmse,mae,"));

@@ -159,7 +159,7 @@ TEST_F(Sweep, MeasuresScenesAndSaysWhatCannotStandTogether) {
              "frame": {"mapSize": 128}},
     "axes": [{"setting": "technique", "values": ["vsm", "hard", "power-cdf"]},
              {"setting": "read.filter", "values": ["bilinear", "sat"]}],
-    "measures": ["compare", "decomposition", "picture"]})");
+    "measures": ["compare", "decomposition", "cost", "picture"]})");
   ASSERT_EQ(sweep(plan, "out").status, 0);
   const std::vector<Json> all = rows("out");
   ASSERT_EQ(all.size(), 6u);
@@ -169,6 +169,8 @@ TEST_F(Sweep, MeasuresScenesAndSaysWhatCannotStandTogether) {
           .json();
   EXPECT_EQ(all[1]["compare"]["rmse"], compared["techniques"][0]["rmse"]);
   EXPECT_EQ(all[1]["compare"]["decomposition"], compared["techniques"][0]["decomposition"]);
+  EXPECT_EQ(all[1]["cost"]["bytesStored"], compared["techniques"][0]["cost"]["bytesStored"]);
+  EXPECT_GT(all[1]["cost"]["shadeMs"], 0.0);
   // Minima and maxima have no summed areas.
   EXPECT_FALSE(all[5].contains("compare"));
   EXPECT_NE(all[5]["reason"].get<std::string>().find("power-cdf"), std::string::npos) << all[5];

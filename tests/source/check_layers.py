@@ -23,12 +23,12 @@ MAY_INCLUDE = {
 # The rooms of a layer: each may include itself and those before it.
 ROOMS = {
     "filters/core": ["support", "scene", "settings", "maps", "technique", "prefilter", "frame"],
-    "analysis": ["stored", "probe", "frame", "errors", "rays", "surfaces", "plots"],
+    "analysis": ["stored", "probe", "frame", "errors", "cost", "rays", "surfaces", "plots"],
     "datasets": ["json", "meshes", "maps", "scenes", "session", "session/file", "plans", "lessons"],
     "ui": ["plots", "widgets/base", "widgets/forms", "widgets/maps", "widgets/plots", "widgets/tables",
            "session", "picture", "probe", "panes", "errors", "layers", "lessons", "window/files",
            "window/docks", "window/menus", "window"],
-    "app": ["output", "reports", "options", "frames", "sweep", "lessons", "commands", "start"],
+    "app": ["output", "reports", "options", "frames", "bench", "sweep", "lessons", "commands", "start"],
 }
 # A room that may include more than its layer may: the plots of one technique's mathematics use that
 # mathematics.

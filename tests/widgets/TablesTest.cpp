@@ -146,6 +146,25 @@ TEST_F(ProbeTableTest, TechniqueIsChosenByAPersonOnly) {
   EXPECT_EQ(chosen[0][0].toString(), "layered-power-cdf");
 }
 
+// In their format on the GPU; without textures there is nothing to count.
+TEST_F(ProbeTableTest, BytesOfATexelAreThereOnlyWhereMapsAreStored) {
+  using Model = ProbeTableModel;
+  EXPECT_TRUE(table.view()->isColumnHidden(Model::BytesColumn));
+  EXPECT_EQ(cell(1, Model::BytesColumn), "");
+  table.resize(640, 240);
+  table.setProbe(exampleProbe(), "vsm", {}, StorageFormat::Half);
+  EXPECT_FALSE(table.view()->isColumnHidden(Model::BytesColumn));
+  const std::size_t channels = exampleProbe().techniques[1].technique->channels().size();
+  EXPECT_EQ(cell(1, Model::BytesColumn), QString::number(2 * channels));
+  EXPECT_EQ(table.asText().split('\n').at(0), "technique\tvisibility\tgpu\terror\tbytes per texel");
+  EXPECT_TRUE(table.asText().split('\n').at(2).endsWith("\t" + QString::number(2 * channels)));
+  const QVariant tip = table.view()->model()->index(1, 0).data(Qt::ToolTipRole);
+  EXPECT_TRUE(tip.toString().contains("2 bytes per texel")) << tip.toString().toStdString();
+  table.resize(200, 240);  // the error matters more
+  EXPECT_TRUE(table.view()->isColumnHidden(Model::BytesColumn));
+  EXPECT_FALSE(table.view()->isColumnHidden(Model::ErrorColumn));
+}
+
 TEST_F(ProbeTableTest, BarLiesOnTheErrorsSideOfZero) {
   const Grab shown(*table.view()->viewport());
   const auto reds = [&](int row) {

@@ -131,7 +131,10 @@ void EvidencePanes::refreshTable() {
   if (!report) return;
   std::optional<RayTracedRow> rays;
   if (rays_->applies()) rays.emplace(RayTracedRow{rays_->visibility()});
-  table_->setProbe(report->probe, style::text(controller_.session().technique), rays);
+  const Session& session = controller_.session();
+  std::optional<StorageFormat> stored;  // a depth map's probe has no textures
+  if (session.source.kind != SourceKind::DepthFile) stored = session.frame.map.format;
+  table_->setProbe(report->probe, style::text(session.technique), rays, stored);
 }
 
 QStringList EvidencePanes::channelNames() const {

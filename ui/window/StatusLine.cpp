@@ -59,11 +59,13 @@ void StatusLine::showScene() {
 void StatusLine::showFrame() {
   if (const DepthMap* depth = controller_.document().content.depth.get()) {
     frame_->clear();
+    map_->setToolTip({});
     map_->setText(tr("%1 × %2 texels").arg(depth->width()).arg(depth->height()));
     return;
   }
   const auto times = view_.lastFrame() ? view_.lastFrame()->passTimes() : std::vector<PassTime>{};
   frame_->setText(passTimesText(times));
+  map_->setToolTip(mapToolTip());
   map_->setText(mapText(controller_.session().frame, controller_.technique()));
 }
 

@@ -77,6 +77,21 @@ bool isNormalised(StorageFormat format) {
   return format == StorageFormat::Unorm8 || format == StorageFormat::Unorm16;
 }
 
+int bytesOf(StorageFormat format) {
+  switch (format) {
+    case StorageFormat::Unorm8:
+      return 1;
+    case StorageFormat::Unorm16:
+    case StorageFormat::Half:
+      return 2;
+    case StorageFormat::Float:
+      return 4;
+    case StorageFormat::Double:
+      break;
+  }
+  return 8;
+}
+
 std::string_view nameOf(StorageFormat format) {
   switch (format) {
     case StorageFormat::Unorm8:

@@ -19,6 +19,8 @@ double largestOf(StorageFormat format);
 double unitRoundoff(StorageFormat format);
 
 bool isNormalised(StorageFormat format);
+// The bytes of one stored value.
+int bytesOf(StorageFormat format);
 std::string_view nameOf(StorageFormat format);
 
 }  // namespace umbra

@@ -73,6 +73,14 @@ TEST(StorageFormat, HalfOverflowsWhereItsRoundingSays) {
   EXPECT_EQ(stored(-1e9, StorageFormat::Half), -std::numeric_limits<double>::infinity());
 }
 
+TEST(StorageFormat, BytesAreThoseOfTheTypes) {
+  EXPECT_EQ(bytesOf(StorageFormat::Unorm8), 1);
+  EXPECT_EQ(bytesOf(StorageFormat::Unorm16), 2);
+  EXPECT_EQ(bytesOf(StorageFormat::Half), 2);
+  EXPECT_EQ(bytesOf(StorageFormat::Float), int(sizeof(float)));
+  EXPECT_EQ(bytesOf(StorageFormat::Double), int(sizeof(double)));
+}
+
 TEST(StorageFormat, FloatIsTheMachines) {
   EXPECT_EQ(stored(0.1, StorageFormat::Float), double(0.1f));
   EXPECT_EQ(stored(0.1, StorageFormat::Double), 0.1);

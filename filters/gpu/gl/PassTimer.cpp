@@ -1,5 +1,7 @@
 #include "filters/gpu/gl/PassTimer.h"
 
+#include "filters/core/support/ProcessorTime.h"
+
 namespace umbra::gl {
 
 void PassTimer::begin(std::string pass) {
@@ -8,17 +10,37 @@ void PassTimer::begin(std::string pass) {
     glCreateQueries(GL_TIME_ELAPSED, 1, &name);
     entries_.push_back({{}, QueryHandle(name)});
   }
-  entries_[used_].pass = std::move(pass);
-  glBeginQuery(GL_TIME_ELAPSED, entries_[used_].query.name());
-  ++used_;
+  Entry& entry = entries_[used_++];
+  entry.pass = std::move(pass);
+  if (clock_ == PassClock::Gpu) {
+    glBeginQuery(GL_TIME_ELAPSED, entry.query.name());
+    return;
+  }
+  glFinish();
+  entry.milliseconds = processorMilliseconds();
+}
+
+void PassTimer::end() {
+  if (clock_ == PassClock::Gpu) {
+    glEndQuery(GL_TIME_ELAPSED);
+    return;
+  }
+  glFinish();
+  Entry& entry = entries_[used_ - 1];
+  entry.milliseconds = processorMilliseconds() - entry.milliseconds;
 }
 
 std::vector<PassTimer::Time> PassTimer::times() const {
   std::vector<Time> times;
   for (std::size_t i = 0; i < used_; ++i) {
-    GLuint64 nanoseconds = 0;
-    glGetQueryObjectui64v(entries_[i].query.name(), GL_QUERY_RESULT, &nanoseconds);
-    times.push_back({entries_[i].pass, double(nanoseconds) * 1e-6});
+    const Entry& entry = entries_[i];
+    double milliseconds = entry.milliseconds;
+    if (clock_ == PassClock::Gpu) {
+      GLuint64 nanoseconds = 0;
+      glGetQueryObjectui64v(entry.query.name(), GL_QUERY_RESULT, &nanoseconds);
+      milliseconds = double(nanoseconds) * 1e-6;
+    }
+    times.push_back({entry.pass, milliseconds});
   }
   return times;
 }

@@ -1,10 +1,11 @@
-// GPU time of the passes of one frame. The frame never waits: only reading the times does.
+// The time of the passes of one frame.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "filters/gpu/gl/Handle.h"
+#include "filters/gpu/gl/PassClock.h"
 
 namespace umbra::gl {
 
@@ -18,13 +19,21 @@ class PassTimer {
   // Times what is drawn until it is destroyed; scopes do not nest.
   class Scope {
    public:
-    Scope(PassTimer& timer, std::string pass) { timer.begin(std::move(pass)); }
-    ~Scope() { glEndQuery(GL_TIME_ELAPSED); }
+    Scope(PassTimer& timer, std::string pass) : timer_(timer) { timer_.begin(std::move(pass)); }
+    ~Scope() { timer_.end(); }
     Scope(const Scope&) = delete;
     Scope& operator=(const Scope&) = delete;
+
+   private:
+    PassTimer& timer_;
   };
 
-  void startFrame() { used_ = 0; }
+  // Counts for the frames that start from now on. The default is Gpu.
+  void setClock(PassClock clock) { wanted_ = clock; }
+  void startFrame() {
+    used_ = 0;
+    clock_ = wanted_;
+  }
   std::vector<Time> times() const;
   void clear();
 
@@ -32,11 +41,14 @@ class PassTimer {
   struct Entry {
     std::string pass;
     QueryHandle query;
+    double milliseconds = 0.0;  // of the processor; while the pass runs, when it began
   };
   void begin(std::string pass);
+  void end();
 
   std::vector<Entry> entries_;  // grows to the most passes that a frame had
   std::size_t used_ = 0;
+  PassClock wanted_ = PassClock::Gpu, clock_ = PassClock::Gpu;
 };
 
 }  // namespace umbra::gl

@@ -58,8 +58,9 @@ ProbeTable::ProbeTable(QWidget* parent)
 }
 
 void ProbeTable::setProbe(const Probe& probe, const QString& selected,
-                          const std::optional<RayTracedRow>& rays) {
-  model_->setProbe(probe, rays);
+                          const std::optional<RayTracedRow>& rays,
+                          std::optional<StorageFormat> format) {
+  model_->setProbe(probe, rays, format);
   showHint(false);
   setSelected(selected);
   arrangeColumns();
@@ -108,22 +109,24 @@ void ProbeTable::showEvent(QShowEvent* event) {
 }
 
 // Titles and figures get their room first, and the bar takes what is left. Where that is too
-// little, the GPU's column is left out, then the bar.
+// little, the column of bytes is left out, then the GPU's, then the bar.
 void ProbeTable::arrangeColumns() {
   using Model = ProbeTableModel;
   view_->resizeRowsToContents();
   view_->setColumnHidden(Model::GpuColumn, !model_->hasGpuValues());
+  view_->setColumnHidden(Model::BytesColumn, !model_->hasBytes());
   view_->setColumnHidden(Model::BarColumn, false);
   int rest = view_->viewport()->width();
-  for (int column :
-       {Model::TitleColumn, Model::ValueColumn, Model::GpuColumn, Model::ErrorColumn}) {
+  for (int column : {Model::TitleColumn, Model::ValueColumn, Model::GpuColumn, Model::ErrorColumn,
+                     Model::BytesColumn}) {
     if (view_->isColumnHidden(column)) continue;
     view_->resizeColumnToContents(column);
     rest -= view_->columnWidth(column);
   }
-  if (rest < narrowestBar && !view_->isColumnHidden(Model::GpuColumn)) {
-    rest += view_->columnWidth(Model::GpuColumn);
-    view_->setColumnHidden(Model::GpuColumn, true);
+  for (int column : {Model::BytesColumn, Model::GpuColumn}) {
+    if (rest >= narrowestBar || view_->isColumnHidden(column)) continue;
+    rest += view_->columnWidth(column);
+    view_->setColumnHidden(column, true);
   }
   if (rest < narrowestBar) {
     view_->setColumnHidden(Model::BarColumn, true);

@@ -20,7 +20,8 @@ class ProbeTable : public Card {
   // One row per technique of the probe, in its order, and below them the ray-traced truth where
   // there is one; `selected` is an id.
   void setProbe(const Probe& probe, const QString& selected,
-                const std::optional<RayTracedRow>& rays = {});
+                const std::optional<RayTracedRow>& rays = {},
+                std::optional<StorageFormat> format = {});
   void setSelected(const QString& id);
   // Removes the rows and shows a hint in their place; an empty one says how to get rows.
   void clear(const QString& hint = {});

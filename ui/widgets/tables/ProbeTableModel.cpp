@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "analysis/cost/TechniqueCost.h"
 #include "filters/core/support/Parameters.h"
 #include "filters/core/technique/VisibleError.h"
 #include "ui/widgets/base/Style.h"
@@ -27,7 +28,8 @@ ProbeTableModel::Row ProbeTableModel::rayTracedRow(const RayTracedRow& rays, dou
   return row;
 }
 
-void ProbeTableModel::setProbe(const Probe& probe, const std::optional<RayTracedRow>& rays) {
+void ProbeTableModel::setProbe(const Probe& probe, const std::optional<RayTracedRow>& rays,
+                               std::optional<StorageFormat> format) {
   std::vector<Row> rows;
   const auto add = [&rows](const TechniqueInfo& info) -> Row& {
     rows.push_back({style::text(info.id), style::text(info.title), style::text(info.citation),
@@ -40,6 +42,7 @@ void ProbeTableModel::setProbe(const Probe& probe, const std::optional<RayTraced
     row.visibility = result.visibility;
     row.error = result.error;
     row.gpu = result.gpu;
+    if (format) row.bytes = bytesStoredPerTexel(*result.technique, *format);
   }
   for (const RefusedTechnique& refused : probe.refused)
     add(refused.technique->info()).refusal = style::text(refused.reason);
@@ -67,6 +70,11 @@ bool ProbeTableModel::hasGpuValues() const {
                      [](const Row& row) { return row.gpu.has_value(); });
 }
 
+bool ProbeTableModel::hasBytes() const {
+  return std::any_of(rows_.begin(), rows_.end(),
+                     [](const Row& row) { return row.bytes.has_value(); });
+}
+
 int ProbeTableModel::rowOf(const QString& id) const {
   for (std::size_t i = 0; i < rows_.size(); ++i)
     if (rows_[i].id == id) return int(i);
@@ -75,13 +83,20 @@ int ProbeTableModel::rowOf(const QString& id) const {
 
 QString ProbeTableModel::asText() const {
   const auto number = [](double value) { return QString::fromStdString(toText(value)); };
-  QString text = "technique\tvisibility\tgpu\terror\n";
-  for (const Row& row : rows_)
+  const auto orNothing = [&](const std::optional<double>& value) {
+    return value ? number(*value) : QString();
+  };
+  const bool bytes = hasBytes();
+  QString text =
+      QStringLiteral("technique\tvisibility\tgpu\terror") + (bytes ? "\tbytes per texel\n" : "\n");
+  for (const Row& row : rows_) {
     if (!row.refusal.isEmpty() || row.pending)
-      text += row.title + "\t\t\t\n";
+      text += row.title + "\t\t\t";
     else
-      text += row.title + "\t" + number(row.visibility) + "\t" +
-              (row.gpu ? number(*row.gpu) : QString()) + "\t" + number(row.error) + "\n";
+      text += row.title + "\t" + number(row.visibility) + "\t" + orNothing(row.gpu) + "\t" +
+              number(row.error);
+    text += (bytes ? "\t" + orNothing(row.bytes) : QString()) + "\n";
+  }
   return text;
 }
 
@@ -113,11 +128,12 @@ QVariant ProbeTableModel::data(const QModelIndex& index, int role) const {
       if (!row.refusal.isEmpty()) return row.refusal;
       if (row.pending) return tr("%1: being computed\n%2").arg(row.title, row.citation);
       return tr("%1: v = %2, error %3 (%4)\n%5")
-          .arg(row.title, style::figure(row.visibility), style::signedFigure(row.error),
-               !isVisibleError(row.error) ? tr("no visible error")
-               : row.error > 0            ? tr("too light")
-                                          : tr("too dark"),
-               row.citation);
+                 .arg(row.title, style::figure(row.visibility), style::signedFigure(row.error),
+                      !isVisibleError(row.error) ? tr("no visible error")
+                      : row.error > 0            ? tr("too light")
+                                                 : tr("too dark"),
+                      row.citation) +
+             (row.bytes ? tr("\nIt stores %1 bytes per texel.").arg(*row.bytes) : QString());
     case Qt::DisplayRole:
       break;
     default:
@@ -136,6 +152,8 @@ QVariant ProbeTableModel::data(const QModelIndex& index, int role) const {
       return row.gpu ? QString::number(*row.gpu, 'f', 3) : QString();
     case ErrorColumn:
       return style::signedFigure(row.error);
+    case BytesColumn:
+      return row.bytes ? QString::number(*row.bytes) : QString();
     default:
       return {};
   }
@@ -145,11 +163,14 @@ QVariant ProbeTableModel::headerData(int section, Qt::Orientation orientation, i
   if (orientation != Qt::Horizontal) return {};
   if (role == Qt::TextAlignmentRole)
     return int(Qt::AlignVCenter | (section == TitleColumn ? Qt::AlignLeft : Qt::AlignRight));
-  const QString names[] = {tr("technique"), tr("v"), tr("GPU"), tr("error"), QString()};
+  const QString names[] = {tr("technique"), tr("v"),     tr("GPU"),
+                           tr("error"),     tr("bytes"), QString()};
   const QString toolTips[] = {{},
                               tr("Visibility at the receiver, 1 is lit"),
                               tr("Visibility that the shaded frame used at this pixel"),
                               tr("v − v_ref: positive is light bleeding, negative is too dark"),
+                              tr("Bytes per texel of the shadow map that the method stores: its "
+                                 "channels, without what the program adds to blur them"),
                               tr("The error from −1 to +1")};
   if (role == Qt::DisplayRole) return names[section];
   if (role == Qt::ToolTipRole) return toolTips[section];

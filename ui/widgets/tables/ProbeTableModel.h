@@ -20,17 +20,28 @@ class ProbeTableModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { TitleColumn, ValueColumn, GpuColumn, ErrorColumn, BarColumn, ColumnCount };
+  enum Column {
+    TitleColumn,
+    ValueColumn,
+    GpuColumn,
+    ErrorColumn,
+    BytesColumn,
+    BarColumn,
+    ColumnCount
+  };
   enum Role { IdRole = Qt::UserRole, ColourRole, ErrorRole };
 
   using QAbstractTableModel::QAbstractTableModel;
 
   // Rows are in the order of the lists. Techniques that the storage format cannot hold stand among
   // the others, show a dash, say why, and cannot be chosen. Where the techniques are the same, the
-  // rows stay, so that a selection survives a moving probe.
-  void setProbe(const Probe& probe, const std::optional<RayTracedRow>& rays = {});
+  // rows stay, so that a selection survives a moving probe. `format` is that of the map's textures;
+  // without one nothing is stored, and no bytes are shown.
+  void setProbe(const Probe& probe, const std::optional<RayTracedRow>& rays = {},
+                std::optional<StorageFormat> format = {});
   void clear();
   bool hasGpuValues() const;
+  bool hasBytes() const;
   int rowOf(const QString& id) const;  // −1 where there is none
   QString asText() const;
 
@@ -46,8 +57,9 @@ class ProbeTableModel : public QAbstractTableModel {
     QColor colour;
     double visibility = 0.0, error = 0.0;
     std::optional<double> gpu;
-    bool pending = false;  // the figures are not known yet
-    QString refusal;       // why there are no figures; empty where there are
+    std::optional<double> bytes;  // per texel, of the channels
+    bool pending = false;         // the figures are not known yet
+    QString refusal;              // why there are no figures; empty where there are
     int order = 0;
   };
 
