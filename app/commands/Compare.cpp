@@ -19,6 +19,7 @@
 #include "app/reports/CompareFiles.h"
 #include "app/reports/Reports.h"
 #include "datasets/session/DepthReading.h"
+#include "datasets/session/file/SessionInExr.h"
 #include "filters/core/support/Error.h"
 
 namespace umbra {
@@ -207,7 +208,8 @@ void CompareCommand::compareScene(const Workspace& workspace) const {
     if (rayTraced() && !rays) rays = rayTracedReference(*frame);
     if (files && !rays)
       display->writePictures({{drawing.name, frame->colour()}},
-                             files->file("error-" + drawing.name + ".png"));
+                             files->file("error-" + drawing.name + ".png"),
+                             sessionAttributes(Workspace{drawing.session}, UMBRA_VERSION));
     std::optional<ErrorSums> parts;
     std::optional<double> mapError;
     if (decompose) {

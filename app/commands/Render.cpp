@@ -88,6 +88,17 @@ void RenderCommand::run() const {
   announce(*output);
 }
 
+// A comparison of what was drawn, as many as there may be panes.
+Workspace besideEachOther(Workspace workspace, const std::vector<Drawing>& chosen) {
+  std::vector<std::string> techniques;
+  for (const Drawing& drawing : chosen)
+    if (techniques.size() < Comparison::most) techniques.emplace_back(drawing.technique->info().id);
+  workspace.shared.technique = techniques.front();
+  workspace.comparison.mode = ComparisonMode::Grid;
+  workspace.comparison.panes = linkedPanes(techniques);
+  return workspace;
+}
+
 void RenderCommand::renderPicture(const Workspace& workspace) const {
   const std::vector<Drawing> chosen = drawings(workspace);
   const Session session = sessionOf(workspace);
@@ -106,18 +117,9 @@ void RenderCommand::renderPicture(const Workspace& workspace) const {
     pictures.pop_back();
   }
   throwIfCancelled();
-  display->writePictures(pictures, *output);
-}
-
-// A comparison of what was drawn, as many as there may be panes.
-Workspace besideEachOther(Workspace workspace, const std::vector<Drawing>& chosen) {
-  std::vector<std::string> techniques;
-  for (const Drawing& drawing : chosen)
-    if (techniques.size() < Comparison::most) techniques.emplace_back(drawing.technique->info().id);
-  workspace.shared.technique = techniques.front();
-  workspace.comparison.mode = ComparisonMode::Grid;
-  workspace.comparison.panes = linkedPanes(techniques);
-  return workspace;
+  const Workspace drawn =
+      compares(workspace) || chosen.size() == 1 ? workspace : besideEachOther(workspace, chosen);
+  display->writePictures(pictures, *output, sessionAttributes(drawn, UMBRA_VERSION));
 }
 
 void RenderCommand::renderLayers(const Workspace& workspace) const {

@@ -55,7 +55,8 @@ void TourCommand::run() const {
     frame->render(*technique, session.frame.view);
     pictures.push_back({std::string(technique->info().title), frame->colour()});
   }
-  display->writePictures(pictures, files.file("picture.png"));
+  display->writePictures(pictures, files.file("picture.png"),
+                         sessionAttributes(Workspace{session}, UMBRA_VERSION));
 
   const SceneProbe probe = probeScene(*frame, session, chosen, worstBleeding(*frame, *suspect));
   const Json json = sceneProbeToJson(probe, frame->depthMap(), shortNameOf(session.source),

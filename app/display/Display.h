@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -70,6 +71,9 @@ struct LabelledPicture {
   Image<std::uint8_t> colour;  // RGB, row 0 on top
 };
 
+// Texts by their names, as a PNG file keeps them.
+using PictureTexts = std::map<std::string, std::string>;
+
 class Display {
  public:
   virtual ~Display() = default;
@@ -90,7 +94,7 @@ class Display {
   virtual void writePlot(const Plot& plot, const std::filesystem::path& file) = 0;
   // Writes as PNG one picture as it is, or several side by side, each under its label.
   virtual void writePictures(const std::vector<LabelledPicture>& pictures,
-                             const std::filesystem::path& file) = 0;
+                             const std::filesystem::path& file, const PictureTexts& texts) = 0;
 
   // The same in memory, for documents that contain plots and pictures.
   virtual std::string svgOf(const Plot& plot) = 0;

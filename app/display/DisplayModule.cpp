@@ -41,9 +41,9 @@ class QtVtkDisplay final : public Display {
   }
 
   void writePictures(const std::vector<LabelledPicture>& pictures,
-                     const std::filesystem::path& file) override {
+                     const std::filesystem::path& file, const PictureTexts& texts) override {
     startQt();
-    writePng(pictures, file);
+    writePng(pictures, file, texts);
   }
 
   std::string svgOf(const Plot& plot) override {

@@ -19,8 +19,7 @@ void addAll(ChannelFile& file, const Technique& technique, const Image<T>& chann
 }  // namespace
 
 ChannelFile::ChannelFile(const Session& session)
-    : attributes_{{"umbrascope.version", UMBRA_VERSION},
-                  {sessionAttribute, sessionText(Workspace{session})}} {
+    : attributes_(sessionAttributes(Workspace{session}, UMBRA_VERSION)) {
   Session copy = session;
   for (const Setting& setting : settingsOf(copy)) {
     const bool isLight = setting.info.name.starts_with("light.");

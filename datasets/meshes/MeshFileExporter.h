@@ -40,7 +40,9 @@ class Exporter : public OpenMesh::IO::BaseExporter {
   bool is_point_double() const override { return false; }
   OpenMesh::Vec3d normald(Vertex) const override { return zero<OpenMesh::Vec3d>(); }
   bool is_normal_double() const override { return false; }
-  OpenMesh::Vec3uc color(Vertex) const override { return zero<OpenMesh::Vec3uc>(); }
+  // The colour of the error there, so that viewers show it at once.
+  bool has_vertex_colors() const override { return error_ != nullptr; }
+  OpenMesh::Vec3uc color(Vertex v) const override;
   OpenMesh::Vec4uc colorA(Vertex) const override { return zero<OpenMesh::Vec4uc>(); }
   OpenMesh::Vec3ui colori(Vertex) const override { return zero<OpenMesh::Vec3ui>(); }
   OpenMesh::Vec4ui colorAi(Vertex) const override { return zero<OpenMesh::Vec4ui>(); }
@@ -97,6 +99,7 @@ class Exporter : public OpenMesh::IO::BaseExporter {
   }
 
   const FieldMesh& mesh_;
+  const MeshField* error_;  // null where the mesh has none
   Kernel kernel_;
 };
 

@@ -2,19 +2,11 @@
 // shaders get. Components in [0,1].
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
+
+#include "filters/core/support/ErrorColours.h"
 
 namespace umbra {
-
-using ViewColour = std::array<float, 3>;
-
-// Signed error: neutral at 0, red where light bleeds, blue where it is too dark. Neutral is white;
-// the picture dims it a little by the surface's own shading.
-inline constexpr ViewColour noErrorColour{1.0f, 1.0f, 1.0f};
-inline constexpr ViewColour bleedingColour{0.79f, 0.0f, 0.12f};
-inline constexpr ViewColour darkeningColour{0.02f, 0.31f, 0.73f};
 
 // The colours of layers, from the light outwards, in turn: neighbours differ in hue and lightness.
 inline constexpr std::array<ViewColour, 8> layerColours{{{0.99f, 0.86f, 0.55f},
@@ -29,15 +21,6 @@ inline constexpr std::array<ViewColour, 8> layerColours{{{0.99f, 0.86f, 0.55f},
 // The colours of cascades, from the camera outwards.
 inline constexpr std::array<ViewColour, 4> cascadeColours{
     {{0.98f, 0.80f, 0.36f}, {0.47f, 0.76f, 0.52f}, {0.42f, 0.63f, 0.87f}, {0.74f, 0.55f, 0.82f}}};
-
-// An error of the size 1, the largest, has its full colour.
-inline ViewColour colourOfError(double error) {
-  const ViewColour& end = error > 0.0 ? bleedingColour : darkeningColour;
-  const float share = float(std::min(std::abs(error), 1.0));
-  ViewColour colour{};
-  for (int c = 0; c < 3; ++c) colour[c] = noErrorColour[c] + share * (end[c] - noErrorColour[c]);
-  return colour;
-}
 
 // Receiver depth z_r in [0,1]: near the light is bright, as in a picture of the shadow map.
 inline ViewColour colourOfDepth(double z) {

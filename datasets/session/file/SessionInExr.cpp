@@ -20,6 +20,11 @@ std::string sessionText(const Workspace& workspace) {
   return toJson(whole).dump();
 }
 
+std::map<std::string, std::string> sessionAttributes(const Workspace& workspace,
+                                                     const std::string& version) {
+  return {{"umbrascope.version", version}, {sessionAttribute, sessionText(workspace)}};
+}
+
 std::optional<std::string> sessionInExr(const std::filesystem::path& file) {
   checkInput(file);
   checkExrAttributes(file);

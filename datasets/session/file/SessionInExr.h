@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -17,6 +18,10 @@ inline constexpr const char* workspaceAttribute = "umbrascope.workspace";
 
 // The attributes' text. Paths of meshes and depth maps in it are absolute.
 std::string sessionText(const Workspace& workspace);
+
+// What a file says of the program and of what it was made of, by attribute.
+std::map<std::string, std::string> sessionAttributes(const Workspace& workspace,
+                                                     const std::string& version);
 
 // The text of the file's session; nothing where it has none or is no OpenEXR file.
 std::optional<std::string> sessionInExr(const std::filesystem::path& file);
