@@ -32,7 +32,9 @@ std::string quantityText(const StoredAssumption& assumption, const StoredQuestio
 std::string kernelText(const StoredAssumption& assumption, const Kernel& given) {
   if (assumption.kernel == given) return "";
   if (assumption.kernel.effectiveRadius() == 0) return "The values are not filtered.";
-  return "The filter is a " + describe(assumption.kernel) + ", not a " + describe(given) + ".";
+  return "The filter is a " + describe(assumption.kernel) +
+         (given.effectiveRadius() == 0 ? ", where none should be."
+                                       : ", not a " + describe(given) + ".");
 }
 
 std::string shiftText(const StoredAssumption& assumption) {
@@ -205,13 +207,15 @@ StoredExpectation expectedIn(const DepthMap& map, const StoredAssumption& assump
   expected.allowance = expecting.magnitude(map);
   const Channel channel = question.technique.channels()[std::size_t(question.channel)];
   const double taps = 2.0 * assumption.kernel.effectiveRadius() + 1.0;
+  const double timesStored = assumption.kernel.effectiveRadius() > 0 ? 3.0 : 1.0;
   for (std::size_t i = 0; i < expected.unit.values().size(); ++i) {
     double& unit = expected.unit.values()[i];
     double& allowance = expected.allowance.values()[i];
     const double spread = unit, magnitude = allowance;
     const double lastPlace = lastPlaceOf(question.format, magnitude, channel);
     unit = std::max(lastPlace, spread);
-    allowance = 2.0 * (spread + lastPlace + (taps + 2.0) * floatRounding * magnitude);
+    allowance =
+        0.5 * timesStored * lastPlace + 2.0 * (spread + (taps + 2.0) * floatRounding * magnitude);
   }
   return expected;
 }

@@ -53,8 +53,8 @@ struct StoredExpectation {
   // rounding of the encoded depth to float changes, where that is more.
   Image<double> unit;
   // How far an engine that computes in float and stores in the question's format may be from
-  // `values`: its texels are rounded twice, each axis of the filter adds 2r + 1 of them, and
-  // the depth that it encodes is rounded once.
+  // `values`: it stores before the filter and after each axis, by half a last place each; each
+  // axis adds 2r + 1 values; and the depth that it encodes is rounded once.
   Image<double> allowance;
 };
 // One channel of `map`, which may be a part of the question's, before scale, shift and order of

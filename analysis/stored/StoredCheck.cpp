@@ -41,13 +41,17 @@ void explain(StoredFinding& finding, const StoredQuestion& question, const Image
     const int reach =
         std::max(question.kernel.effectiveRadius(), assumption.kernel.effectiveRadius());
     finding.left = storedDifference(expectedUnder(assumption, question), stored, reach);
-    if (finding.left->mean <= mostLeft * finding.difference.mean) {
+    const bool explains = finding.left->mean <= mostLeft * finding.difference.mean &&
+                          finding.left->mean <= mostOfSpread * spreadOf(stored);
+    if (explains || finding.left->isRounding()) {
       finding.text += explanationText(finding, question, reach);
       return;
     }
     finding.explanation.reset();
     finding.left.reset();
   }
+  if (spreadOf(stored) == 0.0)
+    finding.text += "All values are " + shortNumber(finding.difference.stored) + ". ";
   finding.text +=
       "No kernel, quantity, shift, order of rows or scale that was tried explains the difference.";
 }
@@ -83,9 +87,11 @@ StoredFinding checkStored(const StoredQuestion& question, const Image<double>& s
   if (found.texels == 0) {
     text += "There is nothing to compare.";
   } else if (found.beyond == 0) {
-    text += found.largestUnits == 0.0 ? "It agrees exactly."
-                                      : "It agrees; what differs, " +
-                                            roundingText(found.largestUnits, finding.heldBy) + ".";
+    text +=
+        found.notFinite > 0 ? "The others agree."
+        : found.largestUnits == 0.0
+            ? "It agrees exactly."
+            : "It agrees; what differs, " + roundingText(found.largestUnits, finding.heldBy) + ".";
   } else if (found.beyondInside == 0) {
     text += edgeText(reach);
   } else {

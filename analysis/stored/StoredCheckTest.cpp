@@ -161,6 +161,36 @@ TEST_P(StoredMoments, SayWhatNothingExplains) {
   EXPECT_NE(check(noise, 0).text.find("1 texel holds no number"), std::string::npos);
 }
 
+// Huge exact values are far from any others, near which everything small then lies.
+TEST(StoredExponentials, AreExplainedByNothingSmall) {
+  const DepthMap map = scenery();
+  const std::unique_ptr<Technique> esm = allTechniques().make("esm");
+  const StoredQuestion question{map, *esm, 0, box7, StorageFormat::Float};
+  std::mt19937 random(2);
+  Image<double> small(map.width(), map.height());
+  for (double& value : small.values()) value = double(random() % 1000) / 1000.0;
+  EXPECT_FALSE(checkStored(question, small, [] {}).explanation);
+  for (double& value : small.values()) value = 0.5;
+  const StoredFinding constant = checkStored(question, small, [] {});
+  EXPECT_FALSE(constant.explanation);
+  EXPECT_NE(constant.text.find("All values are 0.5"), std::string::npos) << constant.text;
+}
+
+// Values of 8 bits in floats do not make an error of one of their steps a rounding.
+TEST(StoredSteps, AreNotTakenForRounding) {
+  DepthMap map(64, 64);
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x) map(x, y) = float((40 + x + y) / 255.0f);
+  const std::unique_ptr<Technique> vsm = allTechniques().make("vsm");
+  const Kernel none{KernelShape::None, 0, 0.0};
+  Image<double> off(64, 64);
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x) off(x, y) = float((41 + x + y) / 255.0f);
+  const StoredFinding finding = checkStored({map, *vsm, 0, none, StorageFormat::Float}, off, [] {});
+  EXPECT_EQ(finding.heldBy, StorageFormat::Unorm8);
+  EXPECT_FALSE(finding.agrees) << finding.text;
+}
+
 TEST(LastPlaces, AreTheDistancesOfNeighbours) {
   const Channel unit, wide{"S", Reduction::Mean, -1.0, 1.0};
   EXPECT_EQ(lastPlaceOf(StorageFormat::Half, 1.0, unit), 0x1p-10);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace umbra {
 namespace {
@@ -59,7 +60,8 @@ class Fitter {
     const Image<double> exact = baseOf(given());
     before_ = rms(exact, given());
     tryAll();
-    if (!best_ || (!best_->isWhole && best_->after > mostLeft * before_)) return std::nullopt;
+    const double most = std::min(mostLeft * before_, mostOfSpread * spreadOf(sides_[0].stored));
+    if (!best_ || (!best_->isWhole && best_->after > most)) return std::nullopt;
     best_->before = before_;
     return best_;
   }
@@ -165,9 +167,11 @@ class Fitter {
     if (found.after > 0.5 * before_) return;
     found.isWhole = isWhole(base, assumption);
     const auto worth = [](const StoredExplanation& one) {
-      // What is not explained is compared by what is left, each change counted as twice as much.
-      return one.isWhole ? std::pair(0.0, double(one.changes) + one.after)
-                         : std::pair(1.0, one.after * std::pow(2.0, one.changes));
+      // What is not explained is compared by what is left, each change counted as twice as much. Of
+      // two that explain all, as on a map of stripes, the one that shifts less is meant.
+      const double shift = std::abs(one.assumption.shiftX) + std::abs(one.assumption.shiftY);
+      return one.isWhole ? std::tuple(0, double(one.changes), shift, one.after)
+                         : std::tuple(1, one.after * std::pow(2.0, one.changes), shift, 0.0);
     };
     if (!best_ || worth(found) < worth(*best_)) best_ = found;
   }
@@ -275,6 +279,16 @@ class Fitter {
 };
 
 }  // namespace
+
+double spreadOf(const Image<double>& stored) {
+  double count = 0.0, sum = 0.0, squares = 0.0;
+  for (double value : stored.values())
+    if (std::isfinite(value)) ++count, sum += value;
+  const double mean = count > 0.0 ? sum / count : 0.0;
+  for (double value : stored.values())
+    if (std::isfinite(value)) squares += (value - mean) * (value - mean);
+  return count > 0.0 ? std::sqrt(squares / count) : 0.0;
+}
 
 std::optional<StoredExplanation> explainStored(const StoredQuestion& question,
                                                const Image<double>& stored,

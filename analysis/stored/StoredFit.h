@@ -18,8 +18,12 @@ struct StoredExplanation {
                                      // where the difference was largest
 };
 
-// An assumption that leaves more than this part of the difference explains nothing.
-inline constexpr double mostLeft = 0.25;
+// An assumption that leaves more than this part of the difference explains nothing, nor one that
+// leaves more than this part of what the stored values themselves vary by: any values lie near to
+// any others where the exact ones are huge.
+inline constexpr double mostLeft = 0.25, mostOfSpread = 0.1;
+// The standard deviation of the values that are numbers.
+double spreadOf(const Image<double>& stored);
 
 // Nothing where no assumption takes three quarters of the difference away. Calls `between` often,
 // which may throw to stop the work.

@@ -85,9 +85,10 @@ void EncodeCommand::run() const {
   if (output) checkWritable(*output);
   wanted();
   const Session session = options.session(catalogue);
-  if (against) return check(session);
+  if (against && !output) return check(session);
   if (session.frame.map.format == StorageFormat::Double)
     throw Error(ErrorKind::BadCommandLine, "--format: double does not fit into EXR, take float");
+  if (against) return check(session);
   ChannelFile file(session);
   if (session.source.kind == SourceKind::DepthFile)
     encodeDepthMap(session, loadedDepth(session.source), file);

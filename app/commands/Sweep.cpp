@@ -4,6 +4,7 @@
 
 #include "app/commands/Commands.h"
 #include "app/options/OptionValues.h"
+#include "app/output/Cancellation.h"
 #include "app/output/TerminalProgress.h"
 #include "app/sweep/SweepRunner.h"
 #include "app/sweep/SweepTable.h"
@@ -42,7 +43,8 @@ SweepCommand::SweepCommand(OptionParser& command) {
       "            \"when\": {\"technique\": \"vsm\"}}],\n"
       "  \"combine\": \"product\", \"measures\": [\"compare\"]}\n"
       "An axis sets technique, scene, mesh, depth, receiver, a setting (see `settings`) or\n"
-      "TECHNIQUE.PARAMETER. Measures: compare, decomposition, probe (the base's), cost, picture.\n"
+      "TECHNIQUE.PARAMETER. Measures: compare, decomposition, probe (the base's, counted from the\n"
+      "map's corner as in sessions), cost, picture.\n"
       "\"zip\" in an axis steps several together; \"skip\" leaves cells out.\n"
       "What is measured is kept at once: a run that was ended goes on where it was.");
 }
@@ -95,7 +97,7 @@ void SweepCommand::run() const {
     throw Error(ErrorKind::BadCommandLine, "--batch: only goes with --snakemake");
   if (cells && snakemake)
     throw Error(ErrorKind::BadCommandLine, "--cells: excludes --snakemake, give one of them");
-  const SweepPlan swept = readSweepPlan(*plan);
+  const SweepPlan swept = readSweepPlan(*plan, throwIfCancelled);
   if (!snakemake) return measure(swept);
   const int size = batch ? integerFrom(*batch, "--batch", 1, int(mostCells)) : 10;
   writeSweepWorkflow(swept, *plan, std::filesystem::canonical("/proc/self/exe"), std::size_t(size),

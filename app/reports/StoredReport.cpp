@@ -116,6 +116,14 @@ std::vector<StoredRow> storedRows(const std::filesystem::path& file,
                       std::to_string(read.info.height) + " texels, the depth map has " +
                       std::to_string(depth.map.width()) + " × " +
                       std::to_string(depth.map.height()) + "; both must be of one size");
+    const bool isElsewhere =
+        read.info.originX != depth.originX || read.info.originY != depth.originY;
+    if (isElsewhere && rasterReaderOf(file) == readExr)
+      throw Error(ErrorKind::BadInput,
+                  file.string() + ": its data window begins at " +
+                      std::to_string(read.info.originX) + "," + std::to_string(read.info.originY) +
+                      ", that of the depth map at " + std::to_string(depth.originX) + "," +
+                      std::to_string(depth.originY) + "; both must be of one place");
     const StorageFormat counted =
         format ? *format : formatThatHolds(read.values, layout[i], formatOf(read.info.number));
     const StoredQuestion question{depth.map, technique, int(i), kernel, counted};

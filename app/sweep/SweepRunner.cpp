@@ -1,5 +1,8 @@
 #include "app/sweep/SweepRunner.h"
 
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 
@@ -8,6 +11,7 @@
 #include "analysis/probe/Probe.h"
 #include "app/frames/FrameDecomposition.h"
 #include "app/frames/SceneCompare.h"
+#include "app/frames/SceneProbe.h"
 #include "app/frames/TechniqueSet.h"
 #include "app/output/Cancellation.h"
 #include "app/reports/Reports.h"
@@ -29,8 +33,12 @@ Json figuresToJson(const MetricsRow& row) {
   return figures;
 }
 
-Json probeToJson(double visibility, double reference) {
-  return {{"visibility", visibility}, {"reference", reference}, {"error", visibility - reference}};
+Json probeToJson(const Probe& probe) {
+  const TechniqueResult& result = probe.techniques[0];
+  Json json{
+      {"visibility", result.visibility}, {"reference", probe.reference}, {"error", result.error}};
+  if (result.gpu) json["gpu"] = *result.gpu;
+  return json;
 }
 
 std::string pictureName(std::size_t cell) {
@@ -56,13 +64,26 @@ Json SweepRunner::measured(std::size_t cell) {
   const Session session = sessionOfCell(plan_, cell, catalogue_, sceneOf, where_);
   Json row{{"cell", cell}, {"settings", Json::object()}, {"technique", session.technique}};
   for (const auto& [setting, value] : plan_.cells[cell]) row["settings"][setting] = value;
-  const std::shared_ptr<Technique> technique = techniqueOf(session, catalogue_, session.technique);
+  std::vector<std::string> notices;
+  const std::shared_ptr<Technique> technique =
+      techniqueOf(session, catalogue_, session.technique, &notices);
   const bool isMap = session.source.kind == SourceKind::DepthFile;
   std::string reason = whyImpossible(session.frame, *technique);
   if (reason.empty() && !isMap) reason = whyNoGpuFormat(session);
-  if (!reason.empty())
+  if (!reason.empty()) {
     row["reason"] = reason;
-  else if (isMap)
+    return row;
+  }
+  if (const std::string loss = whyReadInexactly(session, *technique); !loss.empty())
+    notices.push_back(loss);
+  // What was measured is not quite what the cell sets.
+  if (!notices.empty()) {
+    row["notices"] = notices;
+    row["parameters"] = parametersOf(*technique);
+    for (const std::string& notice : notices)
+      if (said_.insert(notice).second) spdlog::warn("{}: {}", session.technique, notice);
+  }
+  if (isMap)
     measureMap(session, row);
   else
     measureScene(session, cell, row);
@@ -99,30 +120,44 @@ void SweepRunner::measureMap(const Session& session, Json& row) {
                        .receiver = *session.receiver};
   request.techniques.push_back(adapted);
   const Probe probe = takeProbe(request);
-  row["probe"] = probeToJson(probe.techniques[0].visibility, probe.reference);
+  row["probe"] = probeToJson(probe);
+  row["probe"]["texel"] = {x + map_->originX, y + map_->originY};
 }
 
 void SweepRunner::measureScene(const Session& session, std::size_t cell, Json& row) {
   const std::shared_ptr<const Scene> scene = scenes_.scene(session.source);
+  try {
+    measureFrame(session, scene, cell, row);
+  } catch (const Error& error) {
+    // A light that looks nowhere, a pixel that shows nothing: other cells may be sound.
+    const bool isOfCell =
+        error.kind() == ErrorKind::BadInput || error.kind() == ErrorKind::BadCommandLine;
+    if (!isOfCell) throw;
+    for (const char* measure : {"compare", "probe", "cost", "picture"}) row.erase(measure);
+    row["reason"] = error.what();
+    frame_.reset();
+  }
+}
+
+void SweepRunner::measureFrame(const Session& session, const std::shared_ptr<const Scene>& scene,
+                               std::size_t cell, Json& row) {
   if (!display_) display_ = loadDisplay();
   if (frame_)
     frame_->show(scene, session);
   else
     frame_ = display_->makeFrame(scene, session);
-  const std::unique_ptr<Technique> technique = techniqueOf(session, catalogue_, session.technique);
+  const std::shared_ptr<Technique> technique = techniqueOf(session, catalogue_, session.technique);
   frame_->render(*technique, ViewMode::Shaded);
+  if (const int samples = frame_->depthMap().channels(); samples != session.frame.map.samples)
+    row["samplesUsed"] = samples;  // the driver has no more
   if (asks(SweepMeasure::Picture)) {
     const std::string name = pictureName(cell);
     writeTextAtomically(folder_ / "pictures" / name, display_->pngOf(frame_->colour()));
     row["picture"] = "pictures/" + name;
   }
   if (asks(SweepMeasure::Probe)) {
-    const auto [x, y] = *session.probe;
-    const std::optional<SurfacePoint> point = frame_->surfaceAt(x, y);
-    if (point && point->receivesShadow())
-      row["probe"] = probeToJson(point->visibility, frame_->reference()(x, y));
-    else
-      row["reason"] = "the base's probe meets no surface that receives shadow";
+    const std::vector<std::shared_ptr<Technique>> probed{technique};
+    row["probe"] = probeToJson(probeScene(*frame_, session, probed, *session.probe).probe);
   }
   if (asks(SweepMeasure::Cost)) {
     MetricsRow costs{session.technique, {}, {}, {}, {}, {}};

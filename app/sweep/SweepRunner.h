@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "app/display/DisplayLibrary.h"
 #include "app/options/SceneSources.h"
@@ -22,7 +23,8 @@ class SweepRunner {
 
   // {"cell": 0, "settings": {…}, "technique": "vsm", "compare": {…}, "probe": {…},
   //  "picture": "…"}; what was not asked for is absent. A cell whose settings cannot stand together
-  // has a "reason" instead. Scenes and maps are read once, and of a frame only what the last cell
+  // has a "reason" instead; one whose values were limited has "notices", and the "parameters" that
+  // were used. Scenes and maps are read once, and of a frame only what the last cell
   // had otherwise is drawn. Throws what ends all cells: a file that cannot be read, no OpenGL,
   // Cancelled.
   Json measured(std::size_t cell);
@@ -31,6 +33,8 @@ class SweepRunner {
   bool asks(SweepMeasure measure) const;
   void measureMap(const Session& session, Json& row);
   void measureScene(const Session& session, std::size_t cell, Json& row);
+  void measureFrame(const Session& session, const std::shared_ptr<const Scene>& scene,
+                    std::size_t cell, Json& row);
 
   const SweepPlan& plan_;
   const std::string where_;
@@ -39,6 +43,7 @@ class SweepRunner {
   SceneLoader scenes_;
   std::optional<SceneSource> mapSource_;  // of map_
   std::optional<DepthFile> map_;
+  std::set<std::string> said_;  // notices that the log has had
   std::unique_ptr<Display> display_;
   std::unique_ptr<HeadlessFrame> frame_;
 };

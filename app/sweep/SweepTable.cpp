@@ -33,7 +33,10 @@ void flatten(const Json& value, const std::string& name,
       flatten(inner, name.empty() ? key : name + "." + key, fields);
     return;
   }
-  fields.emplace_back(name, textOfValue(value));
+  if (!value.is_array()) return void(fields.emplace_back(name, textOfValue(value)));
+  std::string list;  // with blanks between, which no field has to be quoted for
+  for (const Json& one : value) list += (list.empty() ? "" : " ") + textOfValue(one);
+  fields.emplace_back(name, list);
 }
 
 // The figures of a comparison are the table's own; others have their measure's name.
@@ -56,7 +59,9 @@ std::string csvField(const std::string& text) {
 SweepTable::SweepTable(const SweepPlan& plan, const SweepRange& range, fs::path folder)
     : plan_(plan), range_(range), folder_(std::move(folder)) {
   checkWritable(folder_ / "cells.csv");
-  fs::create_directories(folder_);
+  std::error_code problem;
+  fs::create_directories(folder_, problem);
+  if (problem) throw Error(ErrorKind::BadOutput, folder_.string() + ": " + problem.message());
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder_)) {
     const std::string name = entry.path().filename().string();
@@ -64,7 +69,15 @@ SweepTable::SweepTable(const SweepPlan& plan, const SweepRange& range, fs::path 
       files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
-  for (const fs::path& file : files) readRows(file, file.filename().string().starts_with("kept-"));
+  for (const fs::path& file : files) {
+    const bool isKept = file.filename().string().starts_with("kept-");
+    try {
+      readRows(file, isKept);
+    } catch (const Error&) {
+      // Another process that measures a part has finished it in the meantime.
+      if (!isKept || fs::exists(file)) throw;
+    }
+  }
   const fs::path table = folder_ / "sweep.json";
   if (fs::exists(table)) {
     checkHeader(jsonFromText(textOf(table), table.string()), table);
@@ -77,10 +90,15 @@ void SweepTable::checkHeader(const Json& found, const fs::path& file) const {
   const auto refuse = [&](const std::string& what) {
     throw Error(ErrorKind::BadOutput, file.string() + ": " + what + "; name another folder");
   };
-  if (found.value("plan", "") != plan_.fingerprint)
+  const auto text = [&](const char* key) {
+    return found.is_object() && found.contains(key) && found[key].is_string()
+               ? found[key].get<std::string>()
+               : std::string();
+  };
+  if (text("plan") != plan_.fingerprint)
     refuse("holds cells of another plan, or of files that have changed");
-  if (found.value("version", "") != UMBRA_VERSION)
-    refuse("holds cells of version " + clipped(found.value("version", "?")));
+  if (text("version") != UMBRA_VERSION)
+    refuse("holds cells of version '" + clipped(text("version")) + "'");
 }
 
 // A part begins with a line that names its plan. The last line of what is kept of single cells may
@@ -98,7 +116,12 @@ void SweepTable::readRows(const fs::path& file, bool mayBeCut) {
       isFirst = false;
       continue;
     }
-    const auto cell = row.value("cell", plan_.cells.size());
+    const bool isCell = row.is_object() && row.contains("cell") &&
+                        row["cell"].is_number_unsigned() && row.contains("settings");
+    if (!isCell)
+      throw Error(ErrorKind::BadOutput,
+                  file.string() + ": holds a line that is no cell; name another folder");
+    const auto cell = row["cell"].get<std::size_t>();
     if (cell >= range_.first && cell <= range_.last) rows_[cell] = line;
   }
 }
@@ -127,13 +150,12 @@ void SweepTable::add(std::size_t cell, const Json& row) {
   };
   if (!kept_) {
     // What an ended run left is in rows_, and is kept anew: its last line may be cut.
-    const int file =
-        open(journal().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
-    if (file < 0) failed();
-    kept_.reset(fdopen(file, "w"));
     std::string all = header().dump() + "\n";
     for (const auto& [known, line] : rows_) all += line + "\n";
-    write(all);
+    writeTextAtomically(journal(), all);
+    const int file = open(journal().c_str(), O_WRONLY | O_APPEND | O_NOFOLLOW | O_CLOEXEC);
+    if (file < 0) failed();
+    kept_.reset(fdopen(file, "a"));
   }
   rows_[cell] = row.dump();
   write(rows_[cell] + "\n");

@@ -4,13 +4,20 @@
 
 #include "app/output/Output.h"
 #include "filters/core/support/AtomicFile.h"
+#include "filters/core/support/Error.h"
+#include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {
 
-// A text of Python; JSON's strings are written as Python's are.
+// A text of Python: its escapes are those of JSON, as long as other characters stand as they are.
 std::string pythonText(const std::string& text) {
-  return Json(text).dump(-1, ' ', true);
+  try {
+    return Json(text).dump(-1, ' ', false);
+  } catch (const std::exception&) {
+    throw Error(ErrorKind::BadCommandLine,
+                clipped(text) + ": a workflow can name files whose names are UTF-8 alone");
+  }
 }
 
 }  // namespace
@@ -23,6 +30,9 @@ void writeSweepWorkflow(const SweepPlan& plan, const std::filesystem::path& plan
     const std::size_t last = std::min(first + batch, plan.cells.size()) - 1;
     parts += "    \"" + std::to_string(first) + "-" + std::to_string(last) + "\",\n";
   }
+  std::string inputs = pythonText(std::filesystem::absolute(planFile).lexically_normal().string());
+  for (const std::filesystem::path& file : plan.files) inputs += ", " + pythonText(file.string());
+  const std::string results = "results-" + plan.fingerprint.substr(0, 8);
   const std::string text =
       "# A sweep of " + std::to_string(plan.cells.size()) +
       " cells in batches, written by umbrascope " UMBRA_VERSION
@@ -35,6 +45,13 @@ void writeSweepWorkflow(const SweepPlan& plan, const std::filesystem::path& plan
       "PROGRAM = config.get(\"umbrascope\", " +
       pythonText(program.string()) +
       ")\n"
+      "INPUTS = [" +
+      inputs +
+      "]\n"
+      "# The plan and its files, as they were: others have another folder.\n"
+      "RESULTS = \"" +
+      results +
+      "\"\n"
       "PARTS = [\n" +
       parts +
       "]\n"
@@ -42,17 +59,18 @@ void writeSweepWorkflow(const SweepPlan& plan, const std::filesystem::path& plan
       "localrules: all, table\n"
       "\n"
       "rule all:\n"
-      "    input: \"results/cells.csv\", \"results/cells.jsonl\"\n"
+      "    input: RESULTS + \"/cells.csv\", RESULTS + \"/cells.jsonl\"\n"
       "\n"
       "rule part:\n"
-      "    output: \"results/cells-{part}.jsonl\"\n"
+      "    input: INPUTS\n"
+      "    output: RESULTS + \"/cells-{part}.jsonl\"\n"
       "    wildcard_constraints: part=r\"\\d+-\\d+\"\n"
-      "    shell: \"{PROGRAM:q} sweep {PLAN:q} --cells {wildcards.part} -o results\"\n"
+      "    shell: \"{PROGRAM:q} sweep {PLAN:q} --cells {wildcards.part} -o {RESULTS}\"\n"
       "\n"
       "rule table:\n"
-      "    input: expand(\"results/cells-{part}.jsonl\", part=PARTS)\n"
-      "    output: \"results/cells.csv\", \"results/cells.jsonl\"\n"
-      "    shell: \"{PROGRAM:q} sweep {PLAN:q} -o results\"\n";
+      "    input: expand(RESULTS + \"/cells-{part}.jsonl\", part=PARTS)\n"
+      "    output: RESULTS + \"/cells.csv\", RESULTS + \"/cells.jsonl\"\n"
+      "    shell: \"{PROGRAM:q} sweep {PLAN:q} -o {RESULTS}\"\n";
   OutputFolder files(folder);
   writeTextAtomically(files.file("Snakefile"), text);
   files.finish();

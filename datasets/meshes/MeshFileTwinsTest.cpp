@@ -328,6 +328,18 @@ TEST(MeshFileStrays, AreNamed) {
     return report.notes;
   };
   EXPECT_TRUE(notesOf("9 2 9").empty());
+  // A triangle far from many others.
+  std::string many;
+  for (int i = 0; i < 40; ++i)
+    many += "v " + std::to_string(i % 7) + " 0 " + std::to_string(i % 5) + "\n";
+  for (int i = 1; i < 39; ++i)
+    many +=
+        "f " + std::to_string(i) + " " + std::to_string(i + 1) + " " + std::to_string(i + 2) + "\n";
+  std::ofstream(folder / "b.obj") << many << "v 1e9 0 0\nv 1e9 1e6 0\nv 1e9 0 1e6\nf 41 42 43\n";
+  MeshReport report;
+  sceneFromMeshFile(folder / "b.obj", UpAxis::Y, &report);
+  ASSERT_FALSE(report.notes.empty());
+  EXPECT_TRUE(report.notes.back().starts_with("3 vertices lie")) << report.notes.back();
   EXPECT_EQ(notesOf("1e6 2 3"),
             std::vector<std::string>{"1 vertex lies more than a thousand times as far out as all "
                                      "others are wide, which makes a dot of these"});

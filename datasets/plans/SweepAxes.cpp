@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "datasets/json/JsonText.h"
+#include "datasets/plans/SweepCell.h"
 #include "filters/core/support/Error.h"
 #include "filters/core/support/Text.h"
 
@@ -19,17 +20,22 @@ using Json = nlohmann::ordered_json;
   throw Error(ErrorKind::BadInput, where + ": " + right);
 }
 
-// What a cell must have: each setting one of some values.
-using Condition = std::vector<std::pair<std::string, std::vector<Json>>>;
+// What a cell must have: each setting one of some values, as tables have them, so that "on" is
+// true.
+using Condition = std::vector<std::pair<std::string, std::vector<std::string>>>;
 
 Condition conditionFrom(const Json& value, const std::string& where) {
   if (!value.is_object() || value.empty())
     refusePlan(where, quoted(value) + " should be an object of settings and their values");
   Condition condition;
-  for (const auto& [setting, wanted] : value.items())
-    condition.emplace_back(setting, wanted.is_array()
-                                        ? std::vector<Json>(wanted.begin(), wanted.end())
-                                        : std::vector<Json>{wanted});
+  for (const auto& [setting, wanted] : value.items()) {
+    std::vector<std::string> texts;
+    if (!wanted.is_array()) texts.push_back(textOfValue(wanted));
+    for (const Json& one : wanted.is_array() ? wanted : Json::array())
+      texts.push_back(textOfValue(one));
+    if (texts.empty()) refusePlan(where + "." + setting, "names no value");
+    condition.emplace_back(setting, texts);
+  }
   return condition;
 }
 
@@ -38,7 +44,7 @@ bool matches(const SweepCell& cell, const Condition& condition) {
     const auto found = std::find_if(cell.begin(), cell.end(),
                                     [&](const auto& one) { return one.first == wanted.first; });
     return found != cell.end() && std::find(wanted.second.begin(), wanted.second.end(),
-                                            found->second) != wanted.second.end();
+                                            textOfValue(found->second)) != wanted.second.end();
   });
 }
 
@@ -111,10 +117,11 @@ Axis axisFrom(const Json& value, const std::string& where) {
     ++forms;
     for (const Json& one : values) axis.steps.push_back({{setting, one}});
   };
-  object.readList("values", [&](const Json& one, const std::string&) {
-    axis.steps.push_back({{setting, one}});
+  object.readValue("values", [&](const Json& values, const std::string& at) {
+    if (!values.is_array() || values.empty())
+      refusePlan(at, quoted(values) + " should be a list of values");
+    take({values.begin(), values.end()});
   });
-  forms += !axis.steps.empty();
   object.readValue("range", [&](const Json& range, const std::string& at) {
     take(valuesBetween(range, at, false));
   });
@@ -134,12 +141,22 @@ Axis axisFrom(const Json& value, const std::string& where) {
   return axis;
 }
 
-// A condition on what nothing sets would never hold, without a word.
-void checkKnown(const Condition& condition, const std::vector<std::string>& settings,
-                const std::string& where, const std::string& who) {
-  for (const auto& [setting, values] : condition)
-    if (std::find(settings.begin(), settings.end(), setting) == settings.end())
-      refusePlan(where, who + " sets '" + clipped(setting) + "'");
+// A condition on what nothing sets, or on a value that nothing takes, would never hold, without a
+// word.
+void checkKnown(const Condition& condition, const std::vector<Axis>& axes, const std::string& where,
+                const std::string& who) {
+  for (const auto& [setting, wanted] : condition) {
+    std::vector<std::string> taken;
+    for (const Axis& axis : axes)
+      for (const SweepCell& step : axis.steps)
+        for (const auto& [name, value] : step)
+          if (name == setting) taken.push_back(textOfValue(value));
+    if (taken.empty()) refusePlan(where, who + " sets '" + clipped(setting) + "'");
+    for (const std::string& value : wanted)
+      if (std::find(taken.begin(), taken.end(), value) == taken.end())
+        refusePlan(where, who + " sets '" + clipped(setting) + "' to '" + clipped(value) +
+                              "'; it takes " + clipped(joined(taken)));
+  }
 }
 
 void addSettings(const Axis& axis, std::vector<std::string>& settings, const std::string& where) {
@@ -177,9 +194,10 @@ std::vector<SweepCell> product(const std::vector<Axis>& axes, const std::string&
 void readSweepAxes(JsonObject& object, SweepPlan& plan) {
   std::vector<Axis> axes;
   object.readList("axes", [&](const Json& value, const std::string& where) {
-    axes.push_back(axisFrom(value, where));
-    checkKnown(axes.back().when, plan.settings, where + ".when", "no earlier axis");
-    addSettings(axes.back(), plan.settings, where);
+    const Axis axis = axisFrom(value, where);
+    checkKnown(axis.when, axes, where + ".when", "no earlier axis");
+    addSettings(axis, plan.settings, where);
+    axes.push_back(axis);
   });
   if (axes.empty()) refusePlan(object.where(), "has no 'axes'");
   std::string combine = "product";
@@ -191,7 +209,7 @@ void readSweepAxes(JsonObject& object, SweepPlan& plan) {
                                 : product(axes, object.where());
   object.readList("skip", [&](const Json& value, const std::string& where) {
     const Condition skipped = conditionFrom(value, where);
-    checkKnown(skipped, plan.settings, where, "no axis");
+    checkKnown(skipped, axes, where, "no axis");
     std::erase_if(plan.cells, [&](const SweepCell& cell) { return matches(cell, skipped); });
   });
   if (plan.cells.empty()) refusePlan(object.where(), "leaves no cell");

@@ -1,6 +1,6 @@
 #include "datasets/plans/SweepCell.h"
 
-#include <tuple>
+#include <algorithm>
 
 #include "datasets/json/JsonText.h"
 #include "datasets/maps/DepthFile.h"
@@ -29,6 +29,11 @@ class CellSetter {
 
   Session run(const SweepCell& cell, const std::string& where) {
     // A source brings its own light and camera, which later settings change.
+    if (std::count_if(cell.begin(), cell.end(),
+                      [](const auto& one) { return isSource(one.first); }) > 1)
+      throw Error(
+          ErrorKind::BadInput,
+          where + ": sets several of 'scene', 'mesh' and 'depth', of which one can be open");
     for (const auto& [setting, value] : cell) setSource(setting, value, where + ": " + setting);
     for (const auto& [setting, value] : cell)
       if (!isSource(setting)) set(setting, value, where + ": " + setting);
@@ -55,7 +60,9 @@ class CellSetter {
       source.kind = SourceKind::DepthFile;
       // Files of one axis are read alike.
       source.depth = session_.source.depth;
-      std::tie(source.name, source.depth.channel) = splitDepthArgument(name);
+      const auto [file, channel] = splitDepthArgument(name);
+      source.name = file;
+      if (!channel.empty()) source.depth.channel = channel;
     }
     if (source.kind != SourceKind::Catalogue) {
       source.name = (plan_.folder / source.name).lexically_normal().string();
@@ -123,7 +130,10 @@ class CellSetter {
       camera = scene->camera;
     }
     const std::vector<Setting> settings = settingsOf(session_, light, camera);
-    settingNamed(settings, setting, where).setFromText(textOfValue(value), where);
+    const Setting& row = settingNamed(settings, setting, where);
+    const bool isSize = row.info.kind == SettingKind::Size && value.is_array() && value.size() == 2;
+    row.setFromText(
+        isSize ? textOfValue(value[0]) + "x" + textOfValue(value[1]) : textOfValue(value), where);
   }
 
   const SweepPlan& plan_;

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
-#include <set>
 
 #include "datasets/json/JsonText.h"
 #include "datasets/plans/SweepAxes.h"
@@ -78,16 +77,8 @@ class Fingerprint {
   std::uint64_t hash_ = 14695981039346656037u;
 };
 
-// The files that cells are measured of: another content makes other cells.
-std::set<fs::path> filesOf(const std::vector<Session>& sessions) {
-  std::set<fs::path> files;
-  for (const Session& session : sessions)
-    if (session.source.kind != SourceKind::Catalogue) files.insert(session.source.name);
-  return files;
-}
-
 // A plan and its files may be moved together, so that paths do not count.
-std::string fingerprintOf(const SweepPlan& plan, const std::vector<Session>& sessions) {
+std::string fingerprintOf(const SweepPlan& plan) {
   Workspace base = plan.base;
   if (base.shared.source.kind != SourceKind::Catalogue)
     base.shared.source.name = fs::path(base.shared.source.name).filename().string();
@@ -95,13 +86,13 @@ std::string fingerprintOf(const SweepPlan& plan, const std::vector<Session>& ses
   for (SweepMeasure measure : plan.measures) whole["measures"].push_back(nameOf(measure));
   Fingerprint fingerprint;
   fingerprint.add(whole.dump());
-  for (const fs::path& file : filesOf(sessions)) fingerprint.addFile(file);
+  for (const fs::path& file : plan.files) fingerprint.addFile(file);
   return fingerprint.text();
 }
 
 // Cells are checked before any is measured: a plan does not end at its last cell for a wrong name.
-std::vector<Session> checkedCells(const SweepPlan& plan, const std::string& where) {
-  std::vector<Session> sessions;
+// Finds the files that they are measured of, whose content makes them, too.
+void checkCells(SweepPlan& plan, const std::string& where, const std::function<void()>& between) {
   const TechniqueCatalogue catalogue = allTechniques();
   const auto asks = [&](SweepMeasure measure) {
     return std::find(plan.measures.begin(), plan.measures.end(), measure) != plan.measures.end();
@@ -113,7 +104,8 @@ std::vector<Session> checkedCells(const SweepPlan& plan, const std::string& wher
     };
     if (asks(SweepMeasure::Probe) && !session.probe)
       refuse("the measure 'probe' needs a 'probe' in the base");
-    sessions.push_back(session);
+    if (i % 256 == 255) between();
+    if (session.source.kind != SourceKind::Catalogue) plan.files.insert(session.source.name);
     if (session.source.kind != SourceKind::DepthFile) continue;
     if (!session.receiver) refuse("a depth map needs a 'receiver', in the base or on an axis");
     for (SweepMeasure measure :
@@ -122,7 +114,6 @@ std::vector<Session> checkedCells(const SweepPlan& plan, const std::string& wher
         refuse("a depth map has no frame; '" + std::string(nameOf(measure)) +
                "' goes with a scene");
   }
-  return sessions;
 }
 
 }  // namespace
@@ -143,7 +134,8 @@ std::string_view nameOf(SweepMeasure measure) {
   return "picture";
 }
 
-SweepPlan sweepPlanFrom(std::string_view text, std::string_view where, const fs::path& folder) {
+SweepPlan sweepPlanFrom(std::string_view text, std::string_view where, const fs::path& folder,
+                        const std::function<void()>& between) {
   const Json json = jsonFromText(text, where);
   SweepPlan plan;
   JsonObject object(json, std::string(where));
@@ -163,12 +155,13 @@ SweepPlan sweepPlanFrom(std::string_view text, std::string_view where, const fs:
   object.finish();
   plan.folder = folder;
   plan.namesFormat = namesFormat(plan, json.value("base", Json::object()));
-  plan.fingerprint = fingerprintOf(plan, checkedCells(plan, std::string(where)));
+  checkCells(plan, std::string(where), between);
+  plan.fingerprint = fingerprintOf(plan);
   return plan;
 }
 
-SweepPlan readSweepPlan(const fs::path& file) {
-  return sweepPlanFrom(textOf(file), file.string(), fs::absolute(file).parent_path());
+SweepPlan readSweepPlan(const fs::path& file, const std::function<void()>& between) {
+  return sweepPlanFrom(textOf(file), file.string(), fs::absolute(file).parent_path(), between);
 }
 
 }  // namespace umbra

@@ -16,7 +16,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -44,14 +46,18 @@ struct SweepPlan {
   std::vector<SweepMeasure> measures;
   // Without it a depth map is measured in double, which is stored nowhere.
   bool namesFormat = false;
-  std::filesystem::path folder;  // what paths in cells are relative to
-  std::string fingerprint;       // of all that bears on what cells hold, files as well
+  std::filesystem::path folder;           // what paths in cells are relative to
+  std::set<std::filesystem::path> files;  // meshes and depth maps that cells are measured of
+  std::string fingerprint;                // of all that bears on what cells hold, files as well
 };
 
 // Throws BadInput that begins with `where`, for a key, a setting or a value that is wrong.
 // `folder` is what paths in the plan are relative to.
-SweepPlan sweepPlanFrom(std::string_view text, std::string_view where,
-                        const std::filesystem::path& folder);
-SweepPlan readSweepPlan(const std::filesystem::path& file);
+// Every cell is checked; `between` is called now and then, and may throw to end that.
+SweepPlan sweepPlanFrom(
+    std::string_view text, std::string_view where, const std::filesystem::path& folder,
+    const std::function<void()>& between = [] {});
+SweepPlan readSweepPlan(
+    const std::filesystem::path& file, const std::function<void()>& between = [] {});
 
 }  // namespace umbra

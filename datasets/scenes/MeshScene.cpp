@@ -113,9 +113,9 @@ class Parts {
 };
 
 // The ends of a list of coordinates without its outermost ones: a two-hundredth at either end, and
-// at least one.
+// at least three, which a single triangle has, but one of a few.
 std::pair<double, double> endsWithin(std::vector<double> values) {
-  const std::size_t cut = std::max<std::size_t>(1, values.size() / 200);
+  const std::size_t cut = values.size() < 16 ? 1 : std::max<std::size_t>(3, values.size() / 200);
   const auto at = [&](std::size_t place) {
     std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(place), values.end());
     return values[place];

@@ -181,6 +181,46 @@ TEST_F(Sweep, MeasuresScenesAndSaysWhatCannotStandTogether) {
     }
 }
 
+// What was measured with other values than the cell's says so; a light that looks nowhere ends one
+// cell, not all.
+TEST_F(Sweep, SaysWhatWasMeasuredOtherwise) {
+  const std::string limited = write(R"({"format": "umbrascope-sweep/1",
+    "base": {"source": {"depth": "m.exr"}, "receiver": 0.7, "technique": "esm"},
+    "axes": [{"setting": "map.format", "values": ["float", "half"]},
+             {"setting": "esm.exponent", "values": [10, 80]}]})");
+  const Outcome outcome = sweep(limited, "limited");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("esm: "), std::string::npos) << outcome.err;
+  const std::vector<Json> all = rows("limited");
+  EXPECT_FALSE(all[1].contains("notices"));
+  EXPECT_TRUE(all[3].contains("notices"));
+  EXPECT_LT(all[3]["parameters"]["exponent"], 80.0);
+
+  const std::string blind = write(R"({"format": "umbrascope-sweep/1",
+    "base": {"source": {"scene": "two-planes"}, "size": [64, 48], "frame": {"mapSize": 64},
+             "light": {"kind": "spot", "position": [0, 9, 0], "target": [0, 0, 0]}},
+    "axes": [{"setting": "light.position", "values": ["0,0,0", "0,9,0"]}]})");
+  ASSERT_EQ(sweep(blind, "blind").status, 0);
+  EXPECT_NE(rows("blind")[0]["reason"].get<std::string>().find("light"), std::string::npos);
+  EXPECT_TRUE(rows("blind")[1].contains("compare"));
+}
+
+// A folder may hold what somebody else wrote there.
+TEST_F(Sweep, RefusesFilesThatAreNoCells) {
+  const std::string plan = mapPlan();
+  const std::filesystem::path out = folder.file("out");
+  std::filesystem::create_directories(out);
+  for (const auto& [name, content] :
+       {std::pair("sweep.json", "[]"), std::pair("sweep.json", R"({"plan": 3})"),
+        std::pair("cells-0-1.jsonl", "[1]\n")}) {
+    std::ofstream(out / name) << content;
+    const Outcome outcome = sweep(plan, "out");
+    EXPECT_EQ(outcome.status, 4) << content;
+    EXPECT_NE(outcome.err.find(name), std::string::npos) << outcome.err;
+    std::filesystem::remove(out / name);
+  }
+}
+
 TEST_F(Sweep, MeasuresTheExamples) {
   for (const auto& example : std::filesystem::directory_iterator(UMBRASCOPE_SWEEPS)) {
     const std::string name = example.path().stem().string();
