@@ -51,6 +51,22 @@ TEST_F(FieldMeshPly, OpenMeshFindsEveryFieldByItsName) {
   EXPECT_EQ(read.property(objects, Triangles::FaceHandle(1)), 2);
 }
 
+// MeshLab and Blender show what is called quality, and colours of vertices, at once.
+TEST_F(FieldMeshPly, TheErrorIsQualityAndColour) {
+  writePly(mesh, file);
+  Triangles read;
+  read.request_vertex_colors();
+  OpenMesh::IO::Options options(OpenMesh::IO::Options::Custom | OpenMesh::IO::Options::VertexColor);
+  ASSERT_TRUE(OpenMesh::IO::read_mesh(read, file.string(), options));
+  OpenMesh::VPropHandleT<float> quality;
+  ASSERT_TRUE(read.get_property_handle(quality, "quality"));
+  const auto colourOf = [&](int i) { return read.color(Triangles::VertexHandle(i)); };
+  EXPECT_EQ(read.property(quality, Triangles::VertexHandle(1)), -0.25f);
+  EXPECT_EQ(colourOf(2), OpenMesh::Vec3uc(255, 255, 255));  // no error
+  EXPECT_GT(colourOf(3)[0], colourOf(3)[2]);                // light bleeds: red
+  EXPECT_GT(colourOf(1)[2], colourOf(1)[0]);                // too dark: blue
+}
+
 TEST_F(FieldMeshPly, TheHeaderNamesFloats) {
   writePly(mesh, file);
   std::ifstream stream(file, std::ios::binary);

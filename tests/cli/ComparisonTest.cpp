@@ -61,11 +61,13 @@ TEST(ComparedPicture, ASideIsDrawnWithItsOwnSettings) {
   }
 }
 
-TEST(ComparedPicture, PanesAreDrawnBesideEachOther) {
+TEST(ComparedPicture, PanesAreDrawnOnOneSheet) {
   const QImage sheet = drawn(R"({"mode": "grid", "techniques": ["vsm", "hard", "msm"]})");
-  EXPECT_GE(sheet.width(), 3 * width);
-  EXPECT_LT(sheet.width(), 4 * width);
-  EXPECT_GE(sheet.height(), height);
+  // Three pictures come nearest to a screen's shape two in a row.
+  EXPECT_GE(sheet.width(), 2 * width);
+  EXPECT_LT(sheet.width(), 3 * width);
+  EXPECT_GE(sheet.height(), 2 * height);
+  EXPECT_LT(sheet.height(), 3 * height);
   EXPECT_EQ(drawn(R"({"mode": "single"})").size(), QSize(width, height));
 }
 
