@@ -9,6 +9,7 @@
 
 #include "datasets/meshes/FieldMeshSample.h"
 #include "datasets/meshes/MeshFile.h"
+#include "datasets/meshes/MeshFileExporter.h"
 #include "filters/core/support/Error.h"
 #include "filters/core/support/TemporaryFolder.h"
 
@@ -23,6 +24,11 @@ class FieldMeshPly : public testing::Test {
   const fs::path& folder = temporary.path();
   const fs::path file = folder / "mesh.ply";
   FieldMesh mesh = sampleFieldMesh();
+
+  static std::string textOf(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
 };
 
 using Triangles = OpenMesh::TriMesh_ArrayKernelT<>;
@@ -54,14 +60,17 @@ TEST_F(FieldMeshPly, OpenMeshFindsEveryFieldByItsName) {
 // MeshLab and Blender show what is called quality, and colours of vertices, at once.
 TEST_F(FieldMeshPly, TheErrorIsQualityAndColour) {
   writePly(mesh, file);
+  const std::string header = textOf(file);
+  for (const char* property : {"property float quality", "property uchar red"})
+    EXPECT_NE(header.find(property), std::string::npos) << property;
   Triangles read;
-  read.request_vertex_colors();
-  OpenMesh::IO::Options options(OpenMesh::IO::Options::Custom | OpenMesh::IO::Options::VertexColor);
+  OpenMesh::IO::Options options(OpenMesh::IO::Options::Custom);
   ASSERT_TRUE(OpenMesh::IO::read_mesh(read, file.string(), options));
   OpenMesh::VPropHandleT<float> quality;
   ASSERT_TRUE(read.get_property_handle(quality, "quality"));
-  const auto colourOf = [&](int i) { return read.color(Triangles::VertexHandle(i)); };
   EXPECT_EQ(read.property(quality, Triangles::VertexHandle(1)), -0.25f);
+  const meshfile::Exporter exporter(mesh);
+  const auto colourOf = [&](int i) { return exporter.color(OpenMesh::VertexHandle(i)); };
   EXPECT_EQ(colourOf(2), OpenMesh::Vec3uc(255, 255, 255));  // no error
   EXPECT_GT(colourOf(3)[0], colourOf(3)[2]);                // light bleeds: red
   EXPECT_GT(colourOf(1)[2], colourOf(1)[0]);                // too dark: blue
