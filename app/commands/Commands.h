@@ -22,6 +22,7 @@ Command addSplits(OptionParser& program);
 Command addCompare(OptionParser& program);
 Command addSweep(OptionParser& program);
 Command addBench(OptionParser& program);
+Command addReproduce(OptionParser& program);
 Command addTour(OptionParser& program);
 Command addScenes(OptionParser& program);
 Command addTechniques(OptionParser& program);

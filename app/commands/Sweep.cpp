@@ -1,4 +1,6 @@
 #include <charconv>
+#include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -9,6 +11,7 @@
 #include "app/sweep/SweepRunner.h"
 #include "app/sweep/SweepTable.h"
 #include "app/sweep/SweepWorkflow.h"
+#include "filters/core/support/AtomicFile.h"
 #include "filters/core/support/Error.h"
 #include "filters/core/support/Text.h"
 
@@ -24,6 +27,14 @@ struct SweepCommand {
 
   std::optional<std::string> plan, folder, cells, snakemake, batch;
 };
+
+std::string keptPicture(const std::filesystem::path& folder, std::size_t cell,
+                        const std::string& png) {
+  char name[40];
+  std::snprintf(name, sizeof name, "pictures/cell-%06zu.png", cell);
+  writeTextAtomically(folder / name, png);
+  return name;
+}
 
 SweepCommand::SweepCommand(OptionParser& command) {
   const std::string group = "Sweep";
@@ -42,8 +53,10 @@ SweepCommand::SweepCommand(OptionParser& command) {
       "           {\"setting\": \"vsm.min-variance\", \"log\": [1e-7, 1e-4, 4],\n"
       "            \"when\": {\"technique\": \"vsm\"}}],\n"
       "  \"combine\": \"product\", \"measures\": [\"compare\"]}\n"
-      "An axis sets technique, scene, mesh, depth, receiver, a setting (see `settings`) or\n"
-      "TECHNIQUE.PARAMETER. Measures: compare, decomposition, probe (the base's, counted from the\n"
+      "An axis sets technique, scene, scene.PARAMETER, mesh, depth, receiver, probe, a setting "
+      "(see\n"
+      "`settings`) or TECHNIQUE.PARAMETER. Measures: compare, decomposition, probe (counted from "
+      "the\n"
       "map's corner as in sessions), cost, picture.\n"
       "\"zip\" in an axis steps several together; \"skip\" leaves cells out.\n"
       "What is measured is kept at once: a run that was ended goes on where it was.");
@@ -70,7 +83,9 @@ SweepRange SweepCommand::rangeOf(const SweepPlan& swept) const {
 void SweepCommand::measure(const SweepPlan& swept) const {
   const SweepRange range = rangeOf(swept);
   SweepTable table(swept, range, *folder);
-  SweepRunner runner(swept, *plan, *folder);
+  SweepRunner runner(swept, *plan, [&](std::size_t cell, const std::string& png) {
+    return keptPicture(*folder, cell, png);
+  });
   const Progress progress = progressOfCells(range.count(), table.count());
   try {
     for (std::size_t cell = range.first; cell <= range.last; ++cell) {

@@ -7,29 +7,14 @@
 
 #include "analysis/errors/Measure.h"
 #include "analysis/plots/ProbePlots.h"
-#include "app/lessons/LessonPageStyle.h"
 #include "app/lessons/Markdown.h"
+#include "app/lessons/PageParts.h"
 #include "app/options/SceneSources.h"
 #include "datasets/lessons/LessonNumbers.h"
 #include "filters/core/support/Text.h"
 
 namespace umbra {
 namespace {
-
-std::string base64(std::string_view bytes) {
-  constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    unsigned group = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      group = group << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += k <= count ? digits[group >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
-}
 
 // A ring round the probed pixel: amber, with a white edge on either side.
 void markProbe(Image<std::uint8_t>& picture, Pixel centre) {
@@ -65,9 +50,7 @@ std::string captionOf(const Session& session, const SceneProbe& probe) {
 std::string pictureHtml(Display& display, const LessonStep& step, const StepResult& result) {
   Image<std::uint8_t> picture = result.picture;
   if (!result.probe.hidden) markProbe(picture, result.probe.pixel);
-  const std::string caption = escapedHtml(captionOf(step.session, result.probe));
-  return "<figure><img alt=\"" + caption + "\" src=\"data:image/png;base64," +
-         base64(display.pngOf(picture)) + "\"><figcaption>" + caption + "</figcaption></figure>\n";
+  return pictureInPage(display.pngOf(picture), captionOf(step.session, result.probe));
 }
 
 std::string plotsHtml(Display& display, const LessonStep& step, const StepResult& result) {
@@ -143,12 +126,8 @@ std::string stepHtml(Display& display, const Lesson& lesson, std::size_t index,
 
 std::string lessonPage(Display& display, const Lesson& lesson,
                        const std::vector<StepResult>& results) {
-  std::string html =
-      "<!DOCTYPE html>\n<html lang=\"en-GB\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-      escapedHtml(lesson.title) + "</title>\n<style>" + lessonPageStyle +
-      "</style>\n</head>\n<body>\n<header>\n<h1>" + escapedHtml(lesson.title) + "</h1>\n" +
-      markdownToHtml(lesson.summary);
+  std::string html = pageStart(lesson.title) + "<header>\n<h1>" + escapedHtml(lesson.title) +
+                     "</h1>\n" + markdownToHtml(lesson.summary);
   if (!lesson.after.empty())
     html += "<p class=\"after\">After " + escapedHtml(lesson.after) + "</p>\n";
   html += "</header>\n";

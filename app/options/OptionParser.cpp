@@ -98,6 +98,11 @@ void OptionParser::addArgument(const std::string& name, std::optional<std::strin
   if (!excluded.empty()) option->excludes(excluded);
 }
 
+void OptionParser::addArguments(const std::string& name, std::vector<std::string>& values,
+                                const OptionHelp& help) {
+  described(app_->add_option(name, values, help.text), help);
+}
+
 void OptionParser::addRequired(const std::string& name, std::string& value,
                                const OptionHelp& help) {
   app_->add_option(name, value, help.text)->required()->type_name(help.takes);

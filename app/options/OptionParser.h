@@ -36,6 +36,9 @@ class OptionParser {
   // `excluded`.
   void addArgument(const std::string& name, std::optional<std::string>& value,
                    const OptionHelp& help, const std::string& excluded = {});
+  // Takes any number of them.
+  void addArguments(const std::string& name, std::vector<std::string>& values,
+                    const OptionHelp& help);
   void addRequired(const std::string& name, std::string& value, const OptionHelp& help);
 
   // The help ends with this text.

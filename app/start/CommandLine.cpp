@@ -40,10 +40,11 @@ class Program {
  public:
   Program() : parser_("umbrascope", description, UMBRA_VERSION), window_(parser_) {
     parser_.setFooter(exitStatuses);
-    commands_ = {addRender(parser_),     addProbe(parser_),    addEncode(parser_),
-                 addSplits(parser_),     addCompare(parser_),  addSweep(parser_),
-                 addBench(parser_),      addTour(parser_),     addScenes(parser_),
-                 addTechniques(parser_), addSettings(parser_), addLesson(parser_)};
+    commands_ = {addRender(parser_), addProbe(parser_),      addEncode(parser_),
+                 addSplits(parser_), addCompare(parser_),    addSweep(parser_),
+                 addBench(parser_),  addReproduce(parser_),  addTour(parser_),
+                 addScenes(parser_), addTechniques(parser_), addSettings(parser_),
+                 addLesson(parser_)};
   }
 
   int run(int& argc, char** argv) {

@@ -3,7 +3,6 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
 #include "analysis/errors/CompareMap.h"
@@ -17,7 +16,6 @@
 #include "app/reports/Reports.h"
 #include "datasets/plans/SweepCell.h"
 #include "datasets/session/DepthReading.h"
-#include "filters/core/support/AtomicFile.h"
 #include "filters/core/support/Error.h"
 #include "filters/core/technique/Composition.h"
 
@@ -41,16 +39,10 @@ Json probeToJson(const Probe& probe) {
   return json;
 }
 
-std::string pictureName(std::size_t cell) {
-  char name[40];
-  std::snprintf(name, sizeof name, "cell-%06zu.png", cell);
-  return name;
-}
-
 }  // namespace
 
-SweepRunner::SweepRunner(const SweepPlan& plan, std::string where, std::filesystem::path folder)
-    : plan_(plan), where_(std::move(where)), folder_(std::move(folder)) {}
+SweepRunner::SweepRunner(const SweepPlan& plan, std::string where, KeepPicture keepPicture)
+    : plan_(plan), where_(std::move(where)), keepPicture_(std::move(keepPicture)) {}
 
 SweepRunner::~SweepRunner() = default;
 
@@ -150,11 +142,8 @@ void SweepRunner::measureFrame(const Session& session, const std::shared_ptr<con
   frame_->render(*technique, ViewMode::Shaded);
   if (const int samples = frame_->depthMap().channels(); samples != session.frame.map.samples)
     row["samplesUsed"] = samples;  // the driver has no more
-  if (asks(SweepMeasure::Picture)) {
-    const std::string name = pictureName(cell);
-    writeTextAtomically(folder_ / "pictures" / name, display_->pngOf(frame_->colour()));
-    row["picture"] = "pictures/" + name;
-  }
+  if (asks(SweepMeasure::Picture))
+    row["picture"] = keepPicture_(cell, display_->pngOf(frame_->colour()));
   if (asks(SweepMeasure::Probe)) {
     const std::vector<std::shared_ptr<Technique>> probed{technique};
     row["probe"] = probeToJson(probeScene(*frame_, session, probed, *session.probe).probe);

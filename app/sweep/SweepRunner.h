@@ -1,10 +1,11 @@
 // Measures the cells of a sweep, one after the other.
 #pragma once
 
-#include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
+#include <string>
 
 #include "app/display/DisplayLibrary.h"
 #include "app/options/SceneSources.h"
@@ -13,10 +14,13 @@
 
 namespace umbra {
 
+// Keeps the picture of a cell, a PNG, and gives the name that its row has for it.
+using KeepPicture = std::function<std::string(std::size_t cell, const std::string& png)>;
+
 class SweepRunner {
  public:
-  // Messages about cells begin with `where`, the plan's file; pictures go into `folder`.
-  SweepRunner(const SweepPlan& plan, std::string where, std::filesystem::path folder);
+  // Messages about cells begin with `where`, the plan's file.
+  SweepRunner(const SweepPlan& plan, std::string where, KeepPicture keepPicture);
   ~SweepRunner();
   SweepRunner(const SweepRunner&) = delete;
   SweepRunner& operator=(const SweepRunner&) = delete;
@@ -38,7 +42,7 @@ class SweepRunner {
 
   const SweepPlan& plan_;
   const std::string where_;
-  const std::filesystem::path folder_;
+  const KeepPicture keepPicture_;
   const TechniqueCatalogue catalogue_ = allTechniques();
   SceneLoader scenes_;
   std::optional<SceneSource> mapSource_;  // of map_

@@ -15,6 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view sceneParameter = "scene.";
+
 std::string textAt(const SweepValue& value, const std::string& where, const char* what) {
   if (!value.is_string())
     throw Error(ErrorKind::BadInput, where + ": " + quoted(value) + " should be " + what);
@@ -30,7 +32,7 @@ class CellSetter {
   Session run(const SweepCell& cell, const std::string& where) {
     // A source brings its own light and camera, which later settings change.
     if (std::count_if(cell.begin(), cell.end(),
-                      [](const auto& one) { return isSource(one.first); }) > 1)
+                      [](const auto& one) { return opensSource(one.first); }) > 1)
       throw Error(
           ErrorKind::BadInput,
           where + ": sets several of 'scene', 'mesh' and 'depth', of which one can be open");
@@ -42,12 +44,16 @@ class CellSetter {
   }
 
  private:
-  static bool isSource(const std::string& setting) {
+  static bool opensSource(const std::string& setting) {
     return setting == "scene" || setting == "mesh" || setting == "depth";
+  }
+  static bool isSource(const std::string& setting) {
+    return opensSource(setting) || setting.starts_with(sceneParameter);
   }
 
   void setSource(const std::string& setting, const SweepValue& value, const std::string& where) {
     if (!isSource(setting)) return;
+    if (setting.starts_with(sceneParameter)) return setSceneParameter(setting, value, where);
     const std::string name = textAt(value, where, "a name");
     SceneSource source;
     source.name = name;
@@ -72,6 +78,32 @@ class CellSetter {
     session_.source = source;
   }
 
+  // A cell that names a scene as well names it first.
+  void setSceneParameter(const std::string& setting, const SweepValue& value,
+                         const std::string& where) {
+    SceneSource& source = session_.source;
+    if (source.kind != SourceKind::Catalogue)
+      throw Error(ErrorKind::BadInput, where + ": only scenes of the catalogue have parameters");
+    const std::string name = setting.substr(sceneParameter.size());
+    std::vector<std::string> names;
+    for (const SceneInfo& info : sceneCatalogue()) {
+      if (info.name != source.name) continue;
+      for (const SceneParameter& parameter : info.parameters) {
+        names.push_back(parameter.name);
+        if (parameter.name != name) continue;
+        if (!value.is_number() || value < parameter.low || value > parameter.high)
+          throw Error(ErrorKind::BadInput,
+                      where + ": " + quoted(value) + " should be a number from " +
+                          shortNumber(parameter.low) + " to " + shortNumber(parameter.high));
+        source.parameters[name] = value.get<double>();
+        return;
+      }
+    }
+    throw Error(ErrorKind::BadInput, where + ": the scene " + source.name +
+                                         " has no such parameter" +
+                                         (names.empty() ? "" : "; it has " + joined(names)));
+  }
+
   static void makeSceneInfo(const std::string& name, const std::string& where) {
     std::vector<std::string> names;
     for (const SceneInfo& info : sceneCatalogue()) {
@@ -94,6 +126,12 @@ class CellSetter {
         throw Error(ErrorKind::BadInput,
                     where + ": " + quoted(value) + " should be a linear depth from 0 to 1");
       session_.receiver = value.get<double>();
+    } else if (setting == "probe") {
+      if (!value.is_array() || value.size() != 2 || !value[0].is_number_integer() ||
+          !value[1].is_number_integer())
+        throw Error(ErrorKind::BadInput,
+                    where + ": " + quoted(value) + " should be a pixel, [x, y]");
+      session_.probe = Pixel{value[0].get<int>(), value[1].get<int>()};
     } else if (!setParameter(setting, value, where)) {
       setRow(setting, value, where);
     }

@@ -24,16 +24,6 @@ constexpr SweepMeasure allMeasures[] = {SweepMeasure::Compare, SweepMeasure::Dec
                                         SweepMeasure::Probe, SweepMeasure::Cost,
                                         SweepMeasure::Picture};
 
-SweepMeasure measureFrom(const Json& value, const std::string& where) {
-  std::vector<std::string> names;
-  for (SweepMeasure measure : allMeasures) {
-    if (value == std::string(nameOf(measure))) return measure;
-    names.emplace_back(nameOf(measure));
-  }
-  throw Error(ErrorKind::BadInput,
-              where + ": " + quoted(value) + " is not right, it takes " + joined(names));
-}
-
 // Whether somebody asks for a storage format.
 bool namesFormat(const SweepPlan& plan, const Json& base) {
   return base.is_string() || base.value("/frame/format"_json_pointer, Json()).is_string() ||
@@ -116,6 +106,15 @@ void checkCells(SweepPlan& plan, const std::string& where, const std::function<v
   }
 }
 
+// What follows from the rest.
+void finish(SweepPlan& plan, const Json& base, std::string_view where, const fs::path& folder,
+            const std::function<void()>& between) {
+  plan.folder = folder;
+  plan.namesFormat = namesFormat(plan, base);
+  checkCells(plan, std::string(where), between);
+  plan.fingerprint = fingerprintOf(plan);
+}
+
 }  // namespace
 
 std::string_view nameOf(SweepMeasure measure) {
@@ -134,6 +133,16 @@ std::string_view nameOf(SweepMeasure measure) {
   return "picture";
 }
 
+SweepMeasure sweepMeasureFrom(const Json& value, const std::string& where) {
+  std::vector<std::string> names;
+  for (SweepMeasure measure : allMeasures) {
+    if (value == std::string(nameOf(measure))) return measure;
+    names.emplace_back(nameOf(measure));
+  }
+  throw Error(ErrorKind::BadInput,
+              where + ": " + quoted(value) + " is not right, it takes " + joined(names));
+}
+
 SweepPlan sweepPlanFrom(std::string_view text, std::string_view where, const fs::path& folder,
                         const std::function<void()>& between) {
   const Json json = jsonFromText(text, where);
@@ -149,14 +158,26 @@ SweepPlan sweepPlanFrom(std::string_view text, std::string_view where, const fs:
   });
   readSweepAxes(object, plan);
   object.readList("measures", [&](const Json& value, const std::string& at) {
-    plan.measures.push_back(measureFrom(value, at));
+    plan.measures.push_back(sweepMeasureFrom(value, at));
   });
   if (plan.measures.empty()) plan.measures = {SweepMeasure::Compare};
   object.finish();
-  plan.folder = folder;
-  plan.namesFormat = namesFormat(plan, json.value("base", Json::object()));
-  checkCells(plan, std::string(where), between);
-  plan.fingerprint = fingerprintOf(plan);
+  finish(plan, json.value("base", Json::object()), where, folder, between);
+  return plan;
+}
+
+SweepPlan sweepPlanOfCells(const Json& base, std::vector<SweepCell> cells,
+                           std::vector<SweepMeasure> measures, std::string_view where,
+                           const fs::path& folder) {
+  SweepPlan plan;
+  plan.base = baseFrom(base, std::string(where) + ": base", folder);
+  for (const SweepCell& cell : cells)
+    for (const auto& [setting, value] : cell)
+      if (std::find(plan.settings.begin(), plan.settings.end(), setting) == plan.settings.end())
+        plan.settings.push_back(setting);
+  plan.cells = std::move(cells);
+  plan.measures = std::move(measures);
+  finish(plan, base, where, folder, [] {});
   return plan;
 }
 

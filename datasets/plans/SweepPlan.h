@@ -11,8 +11,9 @@
 //  "skip": [{"technique": "esm", "kernel.radius": [7, 9]}],            cells that match all of one
 //  "measures": ["compare", "decomposition", "probe", "cost", "picture"]}
 //
-// An axis names "technique", "scene", "mesh", "depth", "receiver", a setting of the table or
-// TECHNIQUE.PARAMETER. One with "when" is left out of cells that do not match it.
+// An axis names "technique", "scene", "scene.PARAMETER", "mesh", "depth", "receiver", "probe" (a
+// pixel), a setting of the table or TECHNIQUE.PARAMETER. One with "when" is left out of cells that
+// do not match it.
 #pragma once
 
 #include <filesystem>
@@ -59,5 +60,13 @@ SweepPlan sweepPlanFrom(
     const std::function<void()>& between = [] {});
 SweepPlan readSweepPlan(
     const std::filesystem::path& file, const std::function<void()>& between = [] {});
+
+// A plan of cells that are listed instead of spanned by axes. `base` is as in a file. Throws as the
+// above.
+SweepPlan sweepPlanOfCells(const nlohmann::ordered_json& base, std::vector<SweepCell> cells,
+                           std::vector<SweepMeasure> measures, std::string_view where,
+                           const std::filesystem::path& folder);
+// The measure of this name. Throws BadInput.
+SweepMeasure sweepMeasureFrom(const nlohmann::ordered_json& value, const std::string& where);
 
 }  // namespace umbra

@@ -24,11 +24,11 @@ MAY_INCLUDE = {
 ROOMS = {
     "filters/core": ["support", "scene", "settings", "maps", "technique", "prefilter", "frame"],
     "analysis": ["stored", "probe", "frame", "errors", "cost", "rays", "surfaces", "plots"],
-    "datasets": ["json", "meshes", "maps", "scenes", "session", "session/file", "plans", "lessons"],
+    "datasets": ["json", "meshes", "maps", "scenes", "session", "session/file", "plans", "lessons", "figures"],
     "ui": ["plots", "widgets/base", "widgets/forms", "widgets/maps", "widgets/plots", "widgets/tables",
            "session", "picture", "probe", "panes", "errors", "layers", "lessons", "window/files",
            "window/docks", "window/menus", "window"],
-    "app": ["output", "reports", "options", "frames", "bench", "sweep", "lessons", "commands", "start"],
+    "app": ["output", "reports", "options", "frames", "bench", "sweep", "lessons", "reproduce", "commands", "start"],
 }
 # A room that may include more than its layer may: the plots of one technique's mathematics use that
 # mathematics.
