@@ -46,7 +46,7 @@ class Errors : public testing::Test {
 TEST_F(Errors, WordsThatAreNoCommandOrOption) {
   expectError(2, "did you mean 'probe'?", {"prob"});
   expectError(2, "did you mean 'three-planes'?", {"three-plans"});
-  expectError(2, "is no command, scene or file", {"reproduce", "-o", folder.file("out")});
+  expectError(2, "is no command, scene or file", {"publish", "-o", folder.file("out")});
   expectError(2, "is no command, scene or file", {"reticulate"});
   expectError(2, "did you mean '--technique'?", probe({"--techniqe", "vsm"}));
   expectError(2, "did you mean '--depth'?", {"probe", "--dep", map});
