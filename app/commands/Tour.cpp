@@ -12,6 +12,7 @@
 #include "app/options/SessionOptions.h"
 #include "app/output/Cancellation.h"
 #include "app/reports/ProbeFiles.h"
+#include "datasets/session/file/SessionInExr.h"
 
 namespace umbra {
 namespace {

@@ -103,6 +103,24 @@ TEST_F(SweepPlans, ACellIsTheBaseWithWhatItSets) {
   EXPECT_EQ(techniqueOf(session, catalogue, "csm")->channels().size(), 8u);
 }
 
+TEST_F(SweepPlans, ACellSetsAScenesParametersAndTheProbe) {
+  const std::string scene = R"({"setting": "scene", "values": ["two-planes"]}, )";
+  const SweepPlan swept = plan("[" + scene + R"({"setting": "scene.occluder", "values": [0.25]},
+                                 {"setting": "probe", "values": [[3, 4]]}])",
+                               R"(, "measures": ["probe"])");
+  const Session session = sessionOfCell(swept, 0, allTechniques(), {}, "plan.json");
+  EXPECT_EQ(session.source.name, "two-planes");
+  EXPECT_EQ(session.source.parameters.at("occluder"), 0.25);
+  EXPECT_EQ(session.probe, (Pixel{3, 4}));
+  const auto expectRefusal = [&](const std::string& axis, const char* part) {
+    const std::string why = refusal("[" + scene + axis + "]");
+    EXPECT_NE(why.find(part), std::string::npos) << why;
+  };
+  expectRefusal(R"({"setting": "scene.occluder", "values": [2]})", "from 0.02 to 0.9");
+  expectRefusal(R"({"setting": "scene.pickets", "values": [9]})", "it has occluder, receiver");
+  expectRefusal(R"({"setting": "probe", "values": [3]})", "a pixel, [x, y]");
+}
+
 // A depth map is measured in double, unless somebody asks for a format.
 TEST_F(SweepPlans, DepthMapsAreMeasuredInDouble) {
   const TechniqueCatalogue catalogue = allTechniques();
