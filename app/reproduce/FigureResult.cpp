@@ -80,7 +80,7 @@ std::string pictureNameOf(const Figure& figure, std::size_t cell) {
 }
 
 std::string commandOf(const Figure& figure) {
-  return "umbrascope reproduce " + figure.name + " -o report";
+  return "umbrascope reproduce " + figure.argument + " -o report";
 }
 
 Json reportToJson(const std::vector<FigureResult>& results, const std::vector<Figure>& leftOut) {

@@ -47,6 +47,15 @@ std::string picturesHtml(const FigureResult& result) {
   return html.empty() ? html : "<div class=\"panes\">\n" + html + "</div>\n";
 }
 
+// Why a cell was not measured, or what was not as it sets.
+std::string remarkOn(const Json& row) {
+  std::vector<std::string> remarks;
+  if (row.contains("reason")) remarks.push_back(row["reason"].get<std::string>());
+  if (row.contains("notices"))
+    for (const Json& notice : row["notices"]) remarks.push_back(notice.get<std::string>());
+  return remarks.empty() ? std::string() : " (" + joined(remarks, "; ") + ")";
+}
+
 std::string measuredHtml(const FigureResult& result) {
   const Figure& figure = result.figure;
   if (figure.columns.empty()) return {};
@@ -54,10 +63,7 @@ std::string measuredHtml(const FigureResult& result) {
   for (const std::string& column : figure.columns) html += "<th>" + escapedHtml(column) + "</th>";
   html += "</tr>\n";
   for (std::size_t i = 0; i < figure.cells.size(); ++i) {
-    html += "<tr><td>" + escapedHtml(figure.cells[i].label);
-    if (result.rows[i].contains("reason"))
-      html += " (" + escapedHtml(result.rows[i]["reason"].get<std::string>()) + ")";
-    html += "</td>";
+    html += "<tr><td>" + escapedHtml(figure.cells[i].label + remarkOn(result.rows[i])) + "</td>";
     for (const std::string& column : figure.columns)
       html += numberHtml(measureIn(result.rows[i], column));
     html += "</tr>\n";

@@ -53,6 +53,7 @@ struct FigureClaim {
 
 struct Figure {
   std::string name, paper, number, title;
+  std::string argument;         // what `reproduce` takes for it: its name, or its file
   std::string states, differs;  // Markdown
   std::string leftOut;          // why it is not done; then nothing below is set
   SweepPlan plan;

@@ -52,6 +52,7 @@ class FigureReader {
           where_, std::string(": is no figure, its \"format\" should be \"") + figureFormat + "\"");
     readNeeded(object, "name", figure_.name);
     checkName(figure_.name, where_ + ": name");
+    figure_.argument = figure_.name;
     readNeeded(object, "paper", figure_.paper);
     readNeeded(object, "number", figure_.number);
     readNeeded(object, "title", figure_.title);
@@ -188,7 +189,9 @@ Figure figureFromText(std::string_view text, std::string_view where, const fs::p
 }
 
 Figure readFigure(const fs::path& file) {
-  return figureFromText(textOf(file), file.string(), fs::absolute(file).parent_path());
+  Figure figure = figureFromText(textOf(file), file.string(), fs::absolute(file).parent_path());
+  figure.argument = file.string();
+  return figure;
 }
 
 }  // namespace umbra

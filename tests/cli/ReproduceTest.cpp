@@ -114,6 +114,7 @@ TEST_F(Reproduce, TakesSomebodysOwnFigure) {
   EXPECT_EQ(claim["measured"], 0.0);
   EXPECT_EQ(claim["verdict"], "fails");
   EXPECT_NE(written("report.html").find("PCF &lt;is&gt; exact"), std::string::npos);
+  EXPECT_NE(written("report.html").find("umbrascope reproduce " + file), std::string::npos);
   EXPECT_TRUE(written("mine-pcf.png").starts_with("\x89PNG"));
 }
 
