@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "datasets/scenes/ArchiveFile.h"
 #include "datasets/meshes/MaterialFile.h"
 #include "datasets/meshes/MeshFileReader.h"
+#include "datasets/scenes/ArchiveFile.h"
 #include "datasets/scenes/ModelStage.h"
 #include "filters/core/support/Error.h"
 

@@ -7,9 +7,9 @@
 #include <fstream>
 #include <map>
 
-#include "datasets/scenes/ArchiveFile.h"
 #include "datasets/meshes/MaterialFile.h"
 #include "datasets/meshes/MeshFileSamples.h"
+#include "datasets/scenes/ArchiveFile.h"
 #include "filters/core/support/Error.h"
 #include "filters/core/support/TemporaryFolder.h"
 
