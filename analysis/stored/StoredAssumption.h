@@ -54,7 +54,9 @@ struct StoredExpectation {
   Image<double> unit;
   // How far an engine that computes in float and stores in the question's format may be from
   // `values`: it stores before the filter and after each axis, by half a last place each; each
-  // axis adds 2r + 1 values; and the depth that it encodes is rounded once.
+  // axis is an inner product of 2r + 1 terms, rounded by that many units of 2^-24 of its terms'
+  // absolute sum at most (Higham 2002, section 3.1), and the encoding by two more; and the depth
+  // that it encodes is rounded once.
   Image<double> allowance;
 };
 // One channel of `map`, which may be a part of the question's, before scale, shift and order of

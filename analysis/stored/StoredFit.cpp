@@ -38,10 +38,11 @@ class Fitter {
          const std::function<void()>& between)
       : question_(question), between_(between) {
     const Image<double> exact = expectedUnder(given(), question).values;
+    const Window window = windowOf(exact, stored);
     for (const bool below : {false, true}) {
       const Image<double> asRead = below ? turned(stored) : stored;
       Side side;
-      side.window = windowOf(exact, asRead, below ? &sides_.front().window : nullptr);
+      side.window = window;
       const int apron = apronOf(question);
       const int left = std::max(side.window.left - apron, 0),
                 top = std::max(side.window.top - apron, 0);
@@ -83,9 +84,7 @@ class Fitter {
 
   // Where the difference is largest, and far enough from the edge that all kernels end within the
   // map, if it is wide enough for that: edges may be treated in another way.
-  Window windowOf(const Image<double>& exact, const Image<double>& stored,
-                  const Window* same) const {
-    if (same) return *same;
+  Window windowOf(const Image<double>& exact, const Image<double>& stored) const {
     const auto sideOf = [&](int extent) {
       const int margin = extent > 4 * apronOf(question_) ? apronOf(question_) : 0;
       return std::pair(margin, std::min(partSide, extent - 2 * margin));

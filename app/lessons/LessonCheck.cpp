@@ -28,7 +28,7 @@ CheckedClaim sameAnswer(const LessonQuestion& question, std::size_t step, const 
 
 CheckedClaim checked(const LessonClaim& claim, std::size_t step, const ByShape& shapes) {
   CheckedClaim result{step, claim.text, describe(claim.left), nameOf(claim.relation), {}};
-  if (claim.relation == LessonRelation::Near) result.within = claim.tolerance;
+  if (claim.relation == Relation::Near) result.within = claim.tolerance;
   for (const std::vector<StepResult>& results : shapes)
     result.results.push_back(checkClaim(results, claim));
   return result;

@@ -76,13 +76,14 @@ Json SweepRunner::measured(std::size_t cell) {
       if (said_.insert(notice).second) spdlog::warn("{}: {}", session.technique, notice);
   }
   if (isMap)
-    measureMap(session, row);
+    measureMap(session, technique, row);
   else
-    measureScene(session, cell, row);
+    measureScene(session, technique, cell, row);
   return row;
 }
 
-void SweepRunner::measureMap(const Session& session, Json& row) {
+void SweepRunner::measureMap(const Session& session, const std::shared_ptr<Technique>& technique,
+                             Json& row) {
   if (mapSource_ != session.source) {
     map_.reset();
     map_ = loadedDepth(session.source);
@@ -90,7 +91,6 @@ void SweepRunner::measureMap(const Session& session, Json& row) {
   }
   const DepthMap& map = map_->map;
   const FrameSettings frame = readSettingsOf(session);
-  const std::shared_ptr<Technique> technique = techniqueOf(session, catalogue_, session.technique);
   technique->adapt(map);
   const std::shared_ptr<const Technique> adapted = technique;
   if (asks(SweepMeasure::Compare)) {
@@ -116,10 +116,11 @@ void SweepRunner::measureMap(const Session& session, Json& row) {
   row["probe"]["texel"] = {x + map_->originX, y + map_->originY};
 }
 
-void SweepRunner::measureScene(const Session& session, std::size_t cell, Json& row) {
+void SweepRunner::measureScene(const Session& session, const std::shared_ptr<Technique>& technique,
+                               std::size_t cell, Json& row) {
   const std::shared_ptr<const Scene> scene = scenes_.scene(session.source);
   try {
-    measureFrame(session, scene, cell, row);
+    measureFrame(session, technique, scene, cell, row);
   } catch (const Error& error) {
     // A light that looks nowhere, a pixel that shows nothing: other cells may be sound.
     const bool isOfCell =
@@ -131,14 +132,14 @@ void SweepRunner::measureScene(const Session& session, std::size_t cell, Json& r
   }
 }
 
-void SweepRunner::measureFrame(const Session& session, const std::shared_ptr<const Scene>& scene,
-                               std::size_t cell, Json& row) {
+void SweepRunner::measureFrame(const Session& session, const std::shared_ptr<Technique>& technique,
+                               const std::shared_ptr<const Scene>& scene, std::size_t cell,
+                               Json& row) {
   if (!display_) display_ = loadDisplay();
   if (frame_)
     frame_->show(scene, session);
   else
     frame_ = display_->makeFrame(scene, session);
-  const std::shared_ptr<Technique> technique = techniqueOf(session, catalogue_, session.technique);
   frame_->render(*technique, ViewMode::Shaded);
   if (const int samples = frame_->depthMap().channels(); samples != session.frame.map.samples)
     row["samplesUsed"] = samples;  // the driver has no more

@@ -35,10 +35,11 @@ class SweepRunner {
 
  private:
   bool asks(SweepMeasure measure) const;
-  void measureMap(const Session& session, Json& row);
-  void measureScene(const Session& session, std::size_t cell, Json& row);
-  void measureFrame(const Session& session, const std::shared_ptr<const Scene>& scene,
+  void measureMap(const Session& session, const std::shared_ptr<Technique>& technique, Json& row);
+  void measureScene(const Session& session, const std::shared_ptr<Technique>& technique,
                     std::size_t cell, Json& row);
+  void measureFrame(const Session& session, const std::shared_ptr<Technique>& technique,
+                    const std::shared_ptr<const Scene>& scene, std::size_t cell, Json& row);
 
   const SweepPlan& plan_;
   const std::string where_;

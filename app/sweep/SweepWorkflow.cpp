@@ -30,7 +30,9 @@ void writeSweepWorkflow(const SweepPlan& plan, const std::filesystem::path& plan
     const std::size_t last = std::min(first + batch, plan.cells.size()) - 1;
     parts += "    \"" + std::to_string(first) + "-" + std::to_string(last) + "\",\n";
   }
-  std::string inputs = pythonText(std::filesystem::absolute(planFile).lexically_normal().string());
+  const std::string planText =
+      pythonText(std::filesystem::absolute(planFile).lexically_normal().string());
+  std::string inputs = planText;
   for (const std::filesystem::path& file : plan.files) inputs += ", " + pythonText(file.string());
   const std::string results = "results-" + plan.fingerprint.substr(0, 8);
   const std::string text =
@@ -40,7 +42,7 @@ void writeSweepWorkflow(const SweepPlan& plan, const std::filesystem::path& plan
       "# Run it here:  snakemake --cores 4\n"
       "# A job that was ended goes on where it was; the table is the same as that of one process.\n"
       "PLAN = " +
-      pythonText(std::filesystem::absolute(planFile).lexically_normal().string()) +
+      planText +
       "\n"
       "PROGRAM = config.get(\"umbrascope\", " +
       pythonText(program.string()) +

@@ -9,18 +9,6 @@ std::string describeQuantity(const Figure& figure, const FigureQuantity& quantit
 
 }  // namespace
 
-const char* nameOf(FigureRelation relation) {
-  switch (relation) {
-    case FigureRelation::Less:
-      return "<";
-    case FigureRelation::Greater:
-      return ">";
-    case FigureRelation::Near:
-      break;
-  }
-  return "≈";
-}
-
 std::string describe(const Figure& figure, const FigureClaim& claim) {
   const std::string left = describeQuantity(figure, claim.left);
   if (claim.operation == FigureOperation::None) return left;

@@ -7,12 +7,13 @@
 //  "states": "…",          what the paper says of it, in our words: Markdown, a text or its lines
 //  "differs": "…",         how what we draw differs from what the paper drew: likewise
 //  "base": {"source": {"scene": "tree-bench"}, "size": [320, 180]},           a session
-//  "cells": [{"name": "vsm", "label": "VSM", "set": {"technique": "vsm"}}],   as axes of a sweep
-//  set "measures": ["compare", "picture"],                                        as of a sweep
-//  "columns": ["bleeding"],                              of the table of what is measured
+//  "cells": [{"name": "vsm", "label": "VSM",
+//             "set": {"technique": "vsm"}}],       what axes of a sweep set
+//  "measures": ["compare", "picture"],             as of a sweep
+//  "columns": ["bleeding"],                        of the table of what is measured
 //  "claims": [{"text": "…", "cell": "vsm", "measure": "bleeding",
-//              "over": {"cell": "pcf", "measure": "rmse"},     or "minus"; without a measure the
-//              same "relation": "<", "stated": 1, "tolerance": 0, "partly": 0.1}]}
+//              "over": {"cell": "pcf"},            or "minus"; its "measure" is the same if absent
+//              "relation": "<", "stated": 1, "tolerance": 0, "partly": 0.1}]}
 //
 // A figure that is not done has "leftOut", the reason, from "base" on.
 #pragma once
@@ -21,6 +22,7 @@
 #include <string>
 #include <vector>
 
+#include "datasets/json/Relation.h"
 #include "datasets/plans/SweepPlan.h"
 
 namespace umbra {
@@ -36,7 +38,6 @@ struct FigureQuantity {
   std::string measure;
 };
 
-enum class FigureRelation { Less, Greater, Near };
 enum class FigureOperation { None, Over, Minus };
 
 // `left`, or left ÷ right, or left − right, stands in `relation` to what the paper states.
@@ -44,7 +45,7 @@ struct FigureClaim {
   std::string text;
   FigureQuantity left, right;
   FigureOperation operation = FigureOperation::None;
-  FigureRelation relation = FigureRelation::Near;
+  Relation relation = Relation::Near;
   double stated = 0.0;
   // How far off, in the units of `stated`, the claim still holds, and holds in part. With < and >
   // the distance on the right side is none, and with a tolerance of 0 equal values do not hold.
@@ -62,8 +63,6 @@ struct Figure {
   std::vector<FigureClaim> claims;
 };
 
-// "<", ">" or "≈".
-const char* nameOf(FigureRelation relation);
 // "bleeding of VSM ÷ bleeding of PCF": for tables.
 std::string describe(const Figure& figure, const FigureClaim& claim);
 

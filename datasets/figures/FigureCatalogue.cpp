@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
-#include "datasets/figures/EmbeddedFigures.h"
 #include "datasets/figures/FigureFile.h"
+#include "datasets/json/EmbeddedFiles.h"
 #include "filters/core/support/Error.h"
 #include "filters/core/support/Text.h"
 
@@ -12,7 +12,7 @@ namespace umbra {
 
 std::vector<Figure> figureCatalogue() {
   std::vector<Figure> figures;
-  for (const EmbeddedFigure& file : embeddedFigures())
+  for (const EmbeddedFile& file : embeddedFigures())
     figures.push_back(figureFromText(file.text, file.name, {}));
   std::sort(figures.begin(), figures.end(), [](const Figure& a, const Figure& b) {
     return strverscmp(a.name.c_str(), b.name.c_str()) < 0;

@@ -137,13 +137,6 @@ class FigureReader {
     return quantity;
   }
 
-  static FigureRelation relationOf(const std::string& name, const std::string& at) {
-    for (const auto relation :
-         {FigureRelation::Less, FigureRelation::Greater, FigureRelation::Near})
-      if (name == nameOf(relation)) return relation;
-    refuseFigure(at, ": '" + clipped(name) + "' is no relation; there are <, > and ≈");
-  }
-
   FigureClaim claimFrom(JsonObject& object) const {
     FigureClaim claim;
     readNeeded(object, "text", claim.text);
@@ -161,7 +154,7 @@ class FigureReader {
     operand("minus", FigureOperation::Minus);
     std::string relation;
     readNeeded(object, "relation", relation);
-    claim.relation = relationOf(relation, object.where() + ".relation");
+    claim.relation = relationFrom(relation, object.where() + ".relation");
     claim.stated = std::numeric_limits<double>::infinity();
     object.read("stated", claim.stated, -largest, largest);
     if (claim.stated == std::numeric_limits<double>::infinity())
@@ -170,7 +163,7 @@ class FigureReader {
     object.read("partly", claim.partly, 0.0, largest);
     if (claim.partly != 0.0 && claim.partly <= claim.tolerance)
       refuseFigure(object.where(), ".partly: should be wider than the tolerance");
-    if (claim.relation == FigureRelation::Near && claim.tolerance == 0.0)
+    if (claim.relation == Relation::Near && claim.tolerance == 0.0)
       refuseFigure(object.where(), ": the relation ≈ needs a 'tolerance' above 0");
     return claim;
   }

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "datasets/figures/EmbeddedFigures.h"
 #include "datasets/figures/FigureCatalogue.h"
 #include "datasets/figures/FigureMeasures.h"
+#include "datasets/json/EmbeddedFiles.h"
 #include "datasets/plans/SweepCell.h"
 #include "filters/core/support/Error.h"
 
@@ -104,7 +104,7 @@ TEST(FigureFile, NamesWhatIsWrong) {
 
 TEST(FigureCatalogue, FilesAreCalledAsTheirFigures) {
   std::set<std::string> names;
-  for (const EmbeddedFigure& file : embeddedFigures()) {
+  for (const EmbeddedFile& file : embeddedFigures()) {
     const Figure figure = figureFromText(file.text, file.name, {});
     EXPECT_EQ(figure.name + ".json", file.name);
     names.insert(figure.name);

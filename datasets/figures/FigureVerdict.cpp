@@ -34,10 +34,10 @@ const char* nameOf(Verdict verdict) {
 
 Verdict verdictOn(const FigureClaim& claim, double measured) {
   const double above = measured - claim.stated;
-  const bool isNear = claim.relation == FigureRelation::Near;
-  const double off = isNear                                      ? std::abs(above)
-                     : claim.relation == FigureRelation::Greater ? -above
-                                                                 : above;
+  const bool isNear = claim.relation == Relation::Near;
+  const double off = isNear                                ? std::abs(above)
+                     : claim.relation == Relation::Greater ? -above
+                                                           : above;
   // Equal values stand in neither < nor >, unless a tolerance says so.
   if (off < 0.0 || (off <= claim.tolerance && (isNear || claim.tolerance > 0.0)))
     return Verdict::Holds;

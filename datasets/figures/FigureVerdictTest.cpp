@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-FigureClaim claimThat(FigureRelation relation, double stated, double tolerance, double partly) {
+FigureClaim claimThat(Relation relation, double stated, double tolerance, double partly) {
   FigureClaim claim;
   claim.relation = relation;
   claim.stated = stated;
@@ -20,7 +20,7 @@ FigureClaim claimThat(FigureRelation relation, double stated, double tolerance, 
 }
 
 TEST(FigureVerdict, NearHoldsWithinTheTolerance) {
-  const FigureClaim claim = claimThat(FigureRelation::Near, 2.0, 0.25, 0.5);
+  const FigureClaim claim = claimThat(Relation::Near, 2.0, 0.25, 0.5);
   EXPECT_EQ(verdictOn(claim, 2.25), Verdict::Holds);
   EXPECT_EQ(verdictOn(claim, 1.75), Verdict::Holds);
   EXPECT_EQ(verdictOn(claim, 2.375), Verdict::Partly);
@@ -30,22 +30,22 @@ TEST(FigureVerdict, NearHoldsWithinTheTolerance) {
 }
 
 TEST(FigureVerdict, LessAndGreaterAreStrictWithoutATolerance) {
-  const FigureClaim less = claimThat(FigureRelation::Less, 1.0, 0.0, 0.0);
+  const FigureClaim less = claimThat(Relation::Less, 1.0, 0.0, 0.0);
   EXPECT_EQ(verdictOn(less, 0.5), Verdict::Holds);
   EXPECT_EQ(verdictOn(less, 1.0), Verdict::Fails);
   EXPECT_EQ(verdictOn(less, 1.5), Verdict::Fails);
-  const FigureClaim greater = claimThat(FigureRelation::Greater, 1.0, 0.0, 0.0);
+  const FigureClaim greater = claimThat(Relation::Greater, 1.0, 0.0, 0.0);
   EXPECT_EQ(verdictOn(greater, 1.5), Verdict::Holds);
   EXPECT_EQ(verdictOn(greater, 1.0), Verdict::Fails);
   EXPECT_EQ(verdictOn(greater, 0.5), Verdict::Fails);
 }
 
 TEST(FigureVerdict, TolerancesWidenLessAndGreater) {
-  const FigureClaim less = claimThat(FigureRelation::Less, 1.0, 0.25, 0.5);
+  const FigureClaim less = claimThat(Relation::Less, 1.0, 0.25, 0.5);
   EXPECT_EQ(verdictOn(less, 1.25), Verdict::Holds);
   EXPECT_EQ(verdictOn(less, 1.5), Verdict::Partly);
   EXPECT_EQ(verdictOn(less, 1.625), Verdict::Fails);
-  const FigureClaim greater = claimThat(FigureRelation::Greater, 1.0, 0.0, 0.5);
+  const FigureClaim greater = claimThat(Relation::Greater, 1.0, 0.0, 0.5);
   EXPECT_EQ(verdictOn(greater, 1.0), Verdict::Partly);
   EXPECT_EQ(verdictOn(greater, 0.5), Verdict::Partly);
   EXPECT_EQ(verdictOn(greater, 0.25), Verdict::Fails);
@@ -53,7 +53,7 @@ TEST(FigureVerdict, TolerancesWidenLessAndGreater) {
 
 TEST(FigureVerdict, NothingHoldsOfNoNumber) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const auto relation : {FigureRelation::Less, FigureRelation::Greater, FigureRelation::Near})
+  for (const auto relation : {Relation::Less, Relation::Greater, Relation::Near})
     EXPECT_EQ(verdictOn(claimThat(relation, 1.0, 0.5, 1.0), nan), Verdict::Fails);
 }
 
@@ -62,7 +62,7 @@ TEST(FigureVerdict, TakesMeasuresOfCells) {
       Json::parse(R"({"compare": {"bleeding": 0.25, "decomposition": {"bleeding": 0.125}},
                       "probe": {"visibility": 0.5}, "cost": {"bakeMs": 2, "shadeMs": 1}})"),
       Json::parse(R"({"compare": {"bleeding": 0}, "reason": "why"})")};
-  FigureClaim claim = claimThat(FigureRelation::Near, 0.0, 0.001, 0.0);
+  FigureClaim claim = claimThat(Relation::Near, 0.0, 0.001, 0.0);
   const auto measured = [&](const char* left, FigureOperation operation, FigureQuantity right) {
     claim.left = {0, left};
     claim.operation = operation;

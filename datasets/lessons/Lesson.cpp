@@ -9,11 +9,11 @@ namespace umbra {
 
 bool holds(const LessonClaim& claim, double left, double right) {
   switch (claim.relation) {
-    case LessonRelation::Less:
+    case Relation::Less:
       return left < right;
-    case LessonRelation::Greater:
+    case Relation::Greater:
       return left > right;
-    case LessonRelation::Near:
+    case Relation::Near:
       break;
   }
   return std::abs(left - right) <= claim.tolerance;
@@ -22,10 +22,6 @@ bool holds(const LessonClaim& claim, double left, double right) {
 std::string describe(const LessonQuantity& quantity) {
   const QuantityInfo& info = infoOf(quantity.quantity);
   return std::string(info.name) + (info.ofTechnique ? " of " + quantity.technique : std::string());
-}
-
-const char* nameOf(LessonRelation relation) {
-  return relation == LessonRelation::Less ? "<" : relation == LessonRelation::Greater ? ">" : "≈";
 }
 
 std::vector<std::string> textsOf(const LessonStep& step) {

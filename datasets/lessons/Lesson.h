@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "datasets/json/Relation.h"
 #include "datasets/session/Workspace.h"
 #include "filters/core/support/Quantity.h"
 
@@ -25,13 +26,11 @@ struct LessonQuantity {
   bool operator==(const LessonQuantity&) const = default;
 };
 
-enum class LessonRelation { Less, Greater, Near };
-
 // The claim that `left` stands in `relation` to `right`, or to `value`.
 struct LessonClaim {
   std::string text;  // "Nothing of the light should arrive here"
   LessonQuantity left;
-  LessonRelation relation = LessonRelation::Near;
+  Relation relation = Relation::Near;
   std::optional<LessonQuantity> right;
   double value = 0.0;      // used where `right` is absent
   double tolerance = 0.0;  // Near: the largest difference
@@ -70,8 +69,6 @@ struct Lesson {
 bool holds(const LessonClaim& claim, double left, double right);
 // "visibility of vsm": for tables and failures.
 std::string describe(const LessonQuantity& quantity);
-// "<", ">" or "≈".
-const char* nameOf(LessonRelation relation);
 // The texts of the step that may have numbers: see LessonNumbers.h.
 std::vector<std::string> textsOf(const LessonStep& step);
 // The techniques that the step mentions, each once; the session's own is first.

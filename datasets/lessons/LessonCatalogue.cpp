@@ -1,6 +1,6 @@
 #include "datasets/lessons/LessonCatalogue.h"
 
-#include "datasets/lessons/EmbeddedLessons.h"
+#include "datasets/json/EmbeddedFiles.h"
 #include "datasets/lessons/LessonFile.h"
 #include "filters/core/support/Error.h"
 #include "filters/core/support/Text.h"
@@ -9,7 +9,7 @@ namespace umbra {
 
 std::vector<Lesson> lessonCatalogue() {
   std::vector<Lesson> lessons;
-  for (const EmbeddedLesson& file : embeddedLessons())
+  for (const EmbeddedFile& file : embeddedLessons())
     lessons.push_back(lessonFromText(file.text, file.name));
   return lessons;
 }

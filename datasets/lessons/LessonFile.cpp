@@ -74,12 +74,6 @@ LessonQuestion questionOf(JsonObject& object, const Place& place) {
   return question;
 }
 
-LessonRelation relationFrom(const std::string& name, const std::string& where) {
-  for (const auto relation : {LessonRelation::Less, LessonRelation::Greater, LessonRelation::Near})
-    if (name == nameOf(relation)) return relation;
-  refuse(where, ": '" + name + "' is no relation; there are <, > and ≈");
-}
-
 LessonClaim claimOf(JsonObject& object, const Place& place) {
   LessonClaim claim;
   object.readLines("text", claim.text);
@@ -99,7 +93,7 @@ LessonClaim claimOf(JsonObject& object, const Place& place) {
     refuse(object.where(), ": needs exactly one of 'value' and 'than'");
   claim.tolerance = -1.0;
   object.read("tolerance", claim.tolerance, 0.0, largestNumber);
-  if ((claim.relation == LessonRelation::Near) != (claim.tolerance >= 0.0))
+  if ((claim.relation == Relation::Near) != (claim.tolerance >= 0.0))
     refuse(object.where(), ": a 'tolerance' goes with the relation ≈, and ≈ needs one");
   return claim;
 }

@@ -189,14 +189,14 @@ TEST(LessonCatalogue, SuggestsTheNearestName) {
 
 TEST(Lesson, AClaimHoldsWithinItsTolerance) {
   LessonClaim claim;
-  claim.relation = LessonRelation::Near;
+  claim.relation = Relation::Near;
   claim.tolerance = 0.25;
   EXPECT_TRUE(holds(claim, 1.0, 1.25));
   EXPECT_FALSE(holds(claim, 1.0, 1.5));
-  claim.relation = LessonRelation::Less;
+  claim.relation = Relation::Less;
   EXPECT_TRUE(holds(claim, 1.0, 1.5));
   EXPECT_FALSE(holds(claim, 1.0, 1.0));
-  claim.relation = LessonRelation::Greater;
+  claim.relation = Relation::Greater;
   EXPECT_FALSE(holds(claim, 1.0, 1.0));
 }
 

@@ -107,6 +107,11 @@ bool isMeshName(const std::filesystem::path& file) {
                      [&](const Format& format) { return extension == format.extension; });
 }
 
+bool mayReferToFiles(const std::filesystem::path& file) {
+  const std::string extension = lowered(file.extension().string());
+  return extension == ".gltf" || extension == ".glb";
+}
+
 RawMesh readMesh(std::string_view content, const std::string& extension, const std::string& name,
                  const Progress& progress) {
   PolygonMesh polygons = polygonsOf(content, extension, name, progress.stage(0.0, 0.8));

@@ -32,6 +32,9 @@ std::string meshExtensions();
 // Whether a name ends in one of them, in any case.
 bool isMeshName(const std::filesystem::path& file);
 
+// Whether the file's shape may lie in other files as well, as the buffers of glTF do.
+bool mayReferToFiles(const std::filesystem::path& file);
+
 // `extension` (".obj") says which format `content` has; messages call the file `name`. Throws
 // BadInput.
 RawMesh readMesh(std::string_view content, const std::string& extension, const std::string& name,

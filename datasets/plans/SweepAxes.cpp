@@ -82,8 +82,9 @@ std::vector<Json> valuesBetween(const Json& value, const std::string& where, boo
         : i + 1 == count
             ? to
             : inFifteenDigits(isLog ? from * std::pow(to / from, part) : from + part * (to - from));
+    constexpr double mostCounted = 0x1p53;  // up to here doubles hold every whole number
     const bool isWhole = !isLog && value[0].is_number_integer() && value[1].is_number_integer() &&
-                         between == std::round(between);
+                         between == std::round(between) && std::abs(between) <= mostCounted;
     values.push_back(isWhole ? Json(std::int64_t(between)) : Json(between));
   }
   return values;

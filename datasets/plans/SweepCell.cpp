@@ -36,7 +36,12 @@ class CellSetter {
       throw Error(
           ErrorKind::BadInput,
           where + ": sets several of 'scene', 'mesh' and 'depth', of which one can be open");
-    for (const auto& [setting, value] : cell) setSource(setting, value, where + ": " + setting);
+    for (const auto& [setting, value] : cell)
+      if (opensSource(setting)) openSource(setting, value, where + ": " + setting);
+    for (const auto& [setting, value] : cell)
+      if (setting.starts_with(sceneParameter))
+        setSceneParameter(setting, value, where + ": " + setting);
+    checkSource(where);
     for (const auto& [setting, value] : cell)
       if (!isSource(setting)) set(setting, value, where + ": " + setting);
     if (!plan_.namesFormat) chooseFormatFor(session_);
@@ -51,18 +56,24 @@ class CellSetter {
     return opensSource(setting) || setting.starts_with(sceneParameter);
   }
 
-  void setSource(const std::string& setting, const SweepValue& value, const std::string& where) {
-    if (!isSource(setting)) return;
-    if (setting.starts_with(sceneParameter)) return setSceneParameter(setting, value, where);
+  // The catalogue's own message, behind the place in the plan.
+  void checkSource(const std::string& where) const {
+    if (session_.source.kind != SourceKind::Catalogue) return;
+    try {
+      checkScene(session_.source.name, session_.source.parameters);
+    } catch (const Error& error) {
+      throw Error(ErrorKind::BadInput, where + ": " + error.what());
+    }
+  }
+
+  void openSource(const std::string& setting, const SweepValue& value, const std::string& where) {
     const std::string name = textAt(value, where, "a name");
     SceneSource source;
     source.name = name;
-    if (setting == "scene") {
-      makeSceneInfo(name, where);
-    } else if (setting == "mesh") {
+    if (setting == "mesh") {
       source.kind = SourceKind::MeshFile;
       source.up = session_.source.up;
-    } else {
+    } else if (setting == "depth") {
       source.kind = SourceKind::DepthFile;
       // Files of one axis are read alike.
       source.depth = session_.source.depth;
@@ -78,42 +89,13 @@ class CellSetter {
     session_.source = source;
   }
 
-  // A cell that names a scene as well names it first.
   void setSceneParameter(const std::string& setting, const SweepValue& value,
                          const std::string& where) {
-    SceneSource& source = session_.source;
-    if (source.kind != SourceKind::Catalogue)
+    if (session_.source.kind != SourceKind::Catalogue)
       throw Error(ErrorKind::BadInput, where + ": only scenes of the catalogue have parameters");
-    const std::string name = setting.substr(sceneParameter.size());
-    std::vector<std::string> names;
-    for (const SceneInfo& info : sceneCatalogue()) {
-      if (info.name != source.name) continue;
-      for (const SceneParameter& parameter : info.parameters) {
-        names.push_back(parameter.name);
-        if (parameter.name != name) continue;
-        if (!value.is_number() || value < parameter.low || value > parameter.high)
-          throw Error(ErrorKind::BadInput,
-                      where + ": " + quoted(value) + " should be a number from " +
-                          shortNumber(parameter.low) + " to " + shortNumber(parameter.high));
-        source.parameters[name] = value.get<double>();
-        return;
-      }
-    }
-    throw Error(ErrorKind::BadInput, where + ": the scene " + source.name +
-                                         " has no such parameter" +
-                                         (names.empty() ? "" : "; it has " + joined(names)));
-  }
-
-  static void makeSceneInfo(const std::string& name, const std::string& where) {
-    std::vector<std::string> names;
-    for (const SceneInfo& info : sceneCatalogue()) {
-      if (info.name == name) return;
-      names.emplace_back(info.name);
-    }
-    const std::string nearest = nearestWord(name, names);
-    throw Error(ErrorKind::BadInput, where + ": there is no scene '" + clipped(name) + "'" +
-                                         (nearest.empty() ? "; there are " + joined(names)
-                                                          : "; did you mean '" + nearest + "'?"));
+    if (!value.is_number())
+      throw Error(ErrorKind::BadInput, where + ": " + quoted(value) + " should be a number");
+    session_.source.parameters[setting.substr(sceneParameter.size())] = value.get<double>();
   }
 
   void set(const std::string& setting, const SweepValue& value, const std::string& where) {

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "datasets/json/JsonText.h"
+#include "datasets/meshes/MeshFileReader.h"
 #include "datasets/plans/SweepAxes.h"
 #include "datasets/plans/SweepCell.h"
 #include "datasets/session/file/JsonObject.h"
@@ -56,6 +57,7 @@ class Fingerprint {
     std::vector<char> block(std::size_t(1) << 20);
     while (stream.read(block.data(), std::streamsize(block.size())), stream.gcount() > 0)
       add({block.data(), std::size_t(stream.gcount())});
+    if (meshfile::mayReferToFiles(file)) addShape(meshfile::readRawMesh(file));
   }
   std::string text() const {
     char buffer[20];
@@ -64,6 +66,15 @@ class Fingerprint {
   }
 
  private:
+  void addShape(const meshfile::RawMesh& mesh) {
+    const auto addAll = [this](const auto& values) {
+      add({reinterpret_cast<const char*>(values.data()), values.size() * sizeof values[0]});
+    };
+    addAll(mesh.positions);
+    addAll(mesh.normals);
+    addAll(mesh.triangles);
+  }
+
   std::uint64_t hash_ = 14695981039346656037u;
 };
 

@@ -117,7 +117,8 @@ TEST_F(SweepPlans, ACellSetsAScenesParametersAndTheProbe) {
     EXPECT_NE(why.find(part), std::string::npos) << why;
   };
   expectRefusal(R"({"setting": "scene.occluder", "values": [2]})", "from 0.02 to 0.9");
-  expectRefusal(R"({"setting": "scene.pickets", "values": [9]})", "it has occluder, receiver");
+  expectRefusal(R"({"setting": "scene.pickets", "values": [9]})",
+                "no parameter 'pickets'; there are occluder, receiver");
   expectRefusal(R"({"setting": "probe", "values": [3]})", "a pixel, [x, y]");
 }
 
@@ -219,6 +220,35 @@ TEST_F(SweepPlans, TheFingerprintIsOfFilesAsWell) {
   EXPECT_NE(plan(R"([{"setting": "kernel.radius", "values": [2]}])", "", base).fingerprint, first);
   std::ofstream(folder_ / "m.exr", std::ios::app) << "x";
   EXPECT_NE(plan(axes, "", base).fingerprint, first);
+}
+
+// A buffer beside a glTF file is a part of its shape.
+TEST_F(SweepPlans, TheFingerprintIsOfTheBuffersOfGltfAsWell) {
+  const float corners[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  const auto writeBuffer = [&](float last) {
+    std::string bytes(reinterpret_cast<const char*>(corners), sizeof corners - sizeof last);
+    bytes.append(reinterpret_cast<const char*>(&last), sizeof last);
+    std::ofstream(folder_ / "m.bin", std::ios::binary) << bytes;
+  };
+  std::ofstream(folder_ / "m.gltf") << R"({"asset": {"version": "2.0"}, "scene": 0,
+    "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}],
+    "buffers": [{"uri": "m.bin", "byteLength": 36}]})";
+  const std::string axes = R"([{"setting": "mesh", "values": ["m.gltf"]}])";
+  writeBuffer(0.0f);
+  const std::string first = plan(axes).fingerprint;
+  EXPECT_EQ(plan(axes).fingerprint, first);
+  writeBuffer(2.0f);
+  EXPECT_NE(plan(axes).fingerprint, first);
+}
+
+// Beyond 2^53 doubles skip whole numbers, and beyond 2^63 there is none to convert to.
+TEST_F(SweepPlans, ARangeBeyondWholeNumbersIsRefusedByItsSetting) {
+  const std::string said =
+      refusal(R"([{"setting": "kernel.radius", "range": [0, 9223372036854775807, 2]}])");
+  EXPECT_EQ(said.find('-'), std::string::npos) << said;
 }
 
 }  // namespace

@@ -64,11 +64,16 @@ std::vector<SceneInfo> sceneCatalogue() {
   return infos;
 }
 
+void checkScene(const std::string& name, const std::map<std::string, double>& parameters) {
+  if (!isInstalledModel(name)) return void(valuesFor(entryNamed(name).info, parameters));
+  if (!parameters.empty())
+    refuse("scene " + name + ": there is no parameter '" + parameters.begin()->first +
+           "'; this scene has none");
+}
+
 Scene makeScene(const std::string& name, const std::map<std::string, double>& parameters) {
   if (isInstalledModel(name)) {
-    if (!parameters.empty())
-      refuse("scene " + name + ": there is no parameter '" + parameters.begin()->first +
-             "'; this scene has none");
+    checkScene(name, parameters);
     return makeInstalledModel(name);
   }
   const SceneEntry entry = entryNamed(name);

@@ -27,9 +27,12 @@ struct SceneInfo {
 
 std::vector<SceneInfo> sceneCatalogue();
 
-// Deterministic: the same name and parameters give the same vertices. Throws BadInput for an
-// unknown name (with the nearest one), an unknown parameter, a value out of range, or a missing
-// package.
+// Throws BadInput for an unknown name (with the nearest one), an unknown parameter and a value out
+// of range.
+void checkScene(const std::string& name, const std::map<std::string, double>& parameters = {});
+
+// Deterministic: the same name and parameters give the same vertices. Throws as checkScene,
+// and BadInput for a missing package.
 Scene makeScene(const std::string& name, const std::map<std::string, double>& parameters = {});
 
 // The depths of the scene's planes with these parameters; empty for any other scene and for an

@@ -12,6 +12,8 @@
 #include <QToolButton>
 #include <QUrl>
 
+#include "datasets/maps/ExrFile.h"
+#include "datasets/session/file/SessionInExr.h"
 #include "tests/window/DepthRamp.h"
 #include "tests/window/WindowFixture.h"
 #include "ui/picture/SceneView.h"
@@ -45,6 +47,7 @@ class OpeningTest : public WindowFixture {
  private slots:
   void everyKindOfFileIsDropped();
   void recentFilesAreListed();
+  void aWrittenExrBringsBackItsSession();
   void texelsAreCalledAsTheFileCallsThem();
   void howFarTheReadingIsCanBeSeenAndStopped();
 
@@ -125,6 +128,27 @@ void OpeningTest::recentFilesAreListed() {
   menu->actions()[0]->trigger();
   QTRY_COMPARE_WITH_TIMEOUT(window.controller().session().source.depth.channel, std::string("Z"),
                             patience);
+}
+
+// With a channel's name the same file is a depth map.
+void OpeningTest::aWrittenExrBringsBackItsSession() {
+  MainWindow& window = open();
+  Workspace made;
+  made.shared.source.name = "fence";
+  made.shared.technique = "esm";
+  made.shared.frame.kernel.radius = 5;
+  const Image<float> depths = rampOver(0.2F, 0.8F, 1.0F);
+  const std::string name = folder_.filePath("made.exr").toStdString();
+  writeExr(name, {{"Z", depths}}, sessionAttributes(made, "test"));
+  window.openFile(name);
+  QTRY_COMPARE_WITH_TIMEOUT(window.controller().session().source.name, std::string("fence"),
+                            patience);
+  settle();
+  QCOMPARE(window.controller().session().technique, std::string("esm"));
+  QCOMPARE(window.controller().session().frame.kernel.radius, 5);
+  window.openFile(name + ":Z");
+  untilOpen("made.exr");
+  QVERIFY(window.controller().document().content.depth);
 }
 
 void OpeningTest::howFarTheReadingIsCanBeSeenAndStopped() {
